@@ -1,0 +1,10 @@
+# Read by find_package(KnitMech): first the libraries that KnitMech's own are linked to, then KnitMech's.
+include(CMakeFindDependencyMacro)
+find_dependency(Eigen3 3.4 NO_MODULE)
+find_dependency(fmt 9)
+find_dependency(Threads)
+find_dependency(tomlplusplus 3.3)
+find_dependency(embree 3)
+find_dependency(PNG)
+find_dependency(Freetype)
+include(${CMAKE_CURRENT_LIST_DIR}/KnitMechLibraries.cmake)

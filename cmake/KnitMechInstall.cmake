@@ -1,0 +1,31 @@
+# cmake --install puts the program into bin, the libraries into lib, the headers into include/knitmech, and a CMake package
+# beside the libraries: find_package(KnitMech) gives knitmech::knit, knitmech::solve and the other folders of src/.
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/KnitMech)
+set(doc_dir ${CMAKE_INSTALL_DATADIR}/doc/knitmech)
+
+get_property(folders DIRECTORY ${PROJECT_SOURCE_DIR}/src PROPERTY SUBDIRECTORIES)
+foreach(folder ${folders})
+  get_filename_component(name ${folder} NAME)
+  get_property(targets DIRECTORY ${folder} PROPERTY BUILDSYSTEM_TARGETS)
+  foreach(target ${targets})
+    get_target_property(type ${target} TYPE)
+    if(type STREQUAL EXECUTABLE)
+      install(TARGETS ${target} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+    elseif(type MATCHES "LIBRARY$" AND NOT name STREQUAL app)
+      install(TARGETS ${target} EXPORT KnitMechLibraries ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+    endif()
+  endforeach()
+  if(NOT name STREQUAL app)
+    install(DIRECTORY ${folder}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/knitmech/${name} FILES_MATCHING PATTERN "*.h")
+  endif()
+endforeach()
+
+install(EXPORT KnitMechLibraries NAMESPACE knitmech:: DESTINATION ${package_dir})
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/KnitMechConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_SOURCE_DIR}/cmake/KnitMechConfig.cmake ${PROJECT_BINARY_DIR}/KnitMechConfigVersion.cmake
+  DESTINATION ${package_dir})
+
+install(FILES LICENSE README.md CHANGELOG.md CITATION.cff DESTINATION ${doc_dir})
+install(DIRECTORY docs examples DESTINATION ${doc_dir})

@@ -1,0 +1,166 @@
+#include "app/command_line.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <functional>
+#include <iostream>
+#include <memory>
+#include <new>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <vector>
+
+#include "app/commands.h"
+#include "app/json_text.h"
+#include "base/errors.h"
+#include "base/text.h"
+
+namespace knitmech::app {
+namespace {
+
+constexpr const char* kExamples =
+    "Examples:\n"
+    "  knitmech new jersey.toml               write a commented case file\n"
+    "  knitmech check jersey.toml             see what would be run\n"
+    "  knitmech run jersey.toml               simulate; leaves results/jersey\n"
+    "  knitmech export jersey.toml -f abaqus -o jersey.inp\n"
+    "  knitmech parameters                    every key of a case file\n"
+    "\n"
+    "Exit codes: 0 done, 2 wrong input, 3 the simulation could not be finished, 4 files.";
+
+/// The command that the command line asks for, once it is read.
+using Action = std::function<ExitCode()>;
+
+template <class Options>
+void on_parse(CLI::App& command, Action& action, std::shared_ptr<Options> options) {
+  command.callback([&action, options] { action = [options] { return run_command(*options); }; });
+}
+
+void add_new(CLI::App& app, Action& action) {
+  auto options = std::make_shared<NewOptions>();
+  CLI::App& command = *app.add_subcommand("new", "Write a commented case file");
+  command.add_option("FILE", options->file, "Where to; without it, to standard output");
+  command.add_flag("--force", options->force, "Replace FILE if it is there");
+  on_parse(command, action, options);
+}
+
+void add_check(CLI::App& app, Action& action) {
+  auto options = std::make_shared<CheckOptions>();
+  CLI::App& command = *app.add_subcommand("check", "Read a case, build its fabric and say what would be run");
+  command.add_option("CASE", options->case_file, "Case file")->required();
+  command.add_flag("--json", options->json, "Write JSON, for scripts");
+  on_parse(command, action, options);
+}
+
+void add_run(CLI::App& app, Action& action) {
+  auto options = std::make_shared<RunOptions>();
+  CLI::App& command = *app.add_subcommand("run", "Simulate the test of a case and leave a folder of results");
+  command.add_option("CASE", options->case_file, "Case file")->required();
+  command.add_option("-o,--output", options->folder,
+                     "Folder for the results (default: results/ and the name of CASE, or of its folder if it is called "
+                     "case.toml); an earlier run in it is replaced");
+  command.add_flag("--quiet", options->quiet, "Write nothing but errors");
+  command.add_flag("--json", options->json, "Write the outcome as JSON, for scripts, and nothing else");
+  command.add_flag_callback(
+      "--no-pictures", [options] { options->pictures = false; }, "Draw no pictures of the frames and of the curve");
+  command.footer("Ctrl-C ends the run and keeps what was computed; a second one ends the program at once.");
+  on_parse(command, action, options);
+}
+
+void add_export(CLI::App& app, Action& action) {
+  auto options = std::make_shared<ExportOptions>();
+  CLI::App& command = *app.add_subcommand("export", "Write the model of a case for another program");
+  command.add_option("CASE", options->case_file, "Case file")->required();
+  command.add_option("-f,--format", options->format, "abaqus: input file for Abaqus/Explicit")
+      ->required()
+      ->check(CLI::IsMember({"abaqus"}));
+  command.add_option("-o,--output", options->file, "Where to; without it, to standard output");
+  on_parse(command, action, options);
+}
+
+void add_parameters(CLI::App& app, Action& action) {
+  auto options = std::make_shared<ParametersOptions>();
+  CLI::App& command = *app.add_subcommand("parameters", "List every key of a case file with unit, default and range");
+  command.add_flag("--markdown", options->markdown, "As the page docs/input-reference.md");
+  on_parse(command, action, options);
+}
+
+ExitCode report(bool as_json, ExitCode code, const std::string& text, const std::string& json) {
+  std::cerr << (as_json ? json : fmt::format("knitmech: error: {}", text)) << '\n';
+  return code;
+}
+
+ExitCode run_action(const Action& action, bool as_json) {
+  try {
+    const ExitCode code = action();
+    if (std::fflush(stdout) != 0 || !std::cout) throw FileError("cannot write to standard output");
+    return code;
+  } catch (const InputError& error) {
+    return report(as_json, kWrongInput, error.what(), error_json(error, kWrongInput));
+  } catch (const FileError& error) {
+    return report(as_json, kFileTrouble, error.what(), error_json(error, kFileTrouble));
+  } catch (const std::system_error& error) {
+    // The standard library's own, for instance a folder that may not be looked into.
+    return report(as_json, kFileTrouble, error.what(), error_json(error, kFileTrouble));
+  } catch (const std::bad_alloc&) {
+    const InputError error("the memory of this computer is too small for the model; take fewer stitches or elements");
+    return report(as_json, kWrongInput, error.what(), error_json(error, kWrongInput));
+  }
+}
+
+/// What is wrong with a word that stands where the command should be; empty if nothing is.
+std::string complaint_about_command(const CLI::App& app, std::string_view word) {
+  const auto commands = app.get_subcommands([](const CLI::App*) { return true; });
+  std::vector<std::string_view> names;
+  names.reserve(commands.size());
+  for (const CLI::App* command : commands) names.emplace_back(command->get_name());
+  if (word.starts_with('-') || std::ranges::find(names, word) != names.end()) return {};
+  const std::string_view nearest = base::nearest_word(word, names);
+  const std::string advice = nearest.empty() ? fmt::format("the commands are {}", base::alternatives(names))
+                                             : fmt::format("did you mean {}?", nearest);
+  return fmt::format("there is no command {}; {}", base::in_quotes(word), advice);
+}
+
+std::string usage_complaint(const CLI::App& app, const CLI::ParseError& error, const char* first_word) {
+  std::string complaint = first_word == nullptr ? "" : complaint_about_command(app, first_word);
+  if (!complaint.empty()) return complaint;
+  const auto chosen = app.get_subcommands();
+  const std::string command = chosen.empty() ? "knitmech" : "knitmech " + chosen.front()->get_name();
+  return fmt::format("{}; see {} --help", error.what(), command);
+}
+
+}  // namespace
+
+int run_command_line(int argc, char** argv) {
+  CLI::App app(
+      "KnitMech computes the mechanics of knitted fabrics, yarn by yarn: from the measured loop to the\n"
+      "force-strain curve.");
+  app.name("knitmech");
+  app.footer(kExamples);
+  app.require_subcommand(1);
+  app.set_version_flag("--version", "knitmech " KNITMECH_VERSION);
+
+  Action action;
+  add_new(app, action);
+  add_check(app, action);
+  add_run(app, action);
+  add_export(app, action);
+  add_parameters(app, action);
+
+  const bool as_json = std::find(argv, argv + argc, std::string_view("--json")) != argv + argc;
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& asked) {
+    return app.exit(asked);
+  } catch (const CLI::ParseError& error) {
+    const InputError complaint(usage_complaint(app, error, argc > 1 ? argv[1] : nullptr));
+    return report(as_json, kWrongInput, complaint.what(), error_json(complaint, kWrongInput));
+  }
+  return run_action(action, as_json);
+}
+
+}  // namespace knitmech::app

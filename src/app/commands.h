@@ -1,0 +1,50 @@
+#pragma once
+
+#include <string>
+
+namespace knitmech::app {
+
+/// How the program ends, for scripts.
+using ExitCode = int;
+inline constexpr ExitCode kDone = 0;
+inline constexpr ExitCode kWrongInput = 2;   ///< a case file or the command line
+inline constexpr ExitCode kNotFinished = 3;  ///< the simulation was interrupted or could not go on
+inline constexpr ExitCode kFileTrouble = 4;  ///< a file cannot be read or written
+
+struct NewOptions {
+  std::string file;    ///< empty: to standard output
+  bool force = false;  ///< replaces a file that is there
+};
+
+struct CheckOptions {
+  std::string case_file;
+  bool json = false;
+};
+
+struct RunOptions {
+  std::string case_file;
+  std::string folder;  ///< empty: results/<name of the case>
+  bool quiet = false;
+  bool json = false;
+  bool pictures = true;
+};
+
+struct ExportOptions {
+  std::string case_file;
+  std::string format;
+  std::string file;  ///< empty: to standard output
+};
+
+struct ParametersOptions {
+  bool markdown = false;
+};
+
+/// Each command does what its help says and returns the exit code; InputError and FileError are for the caller to
+/// report.
+ExitCode run_command(const NewOptions& options);
+ExitCode run_command(const CheckOptions& options);
+ExitCode run_command(const RunOptions& options);
+ExitCode run_command(const ExportOptions& options);
+ExitCode run_command(const ParametersOptions& options);
+
+}  // namespace knitmech::app

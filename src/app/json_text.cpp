@@ -1,0 +1,70 @@
+#include "app/json_text.h"
+
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "model/case_file.h"
+
+namespace knitmech::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Text of a user need not be UTF-8; what is not is replaced.
+std::string text_of(const Json& document) {
+  return document.dump(2, ' ', false, Json::error_handler_t::replace);
+}
+
+Json gap_json(const std::optional<knit::Approach>& approach) {
+  if (!approach) return nullptr;
+  return {{"gap_mm", approach->gap}, {"between", {describe(approach->a), describe(approach->b)}}};
+}
+
+}  // namespace
+
+std::string error_json(const std::runtime_error& error, ExitCode code) {
+  Json block{{"message", error.what()}, {"exit_code", code}};
+  if (const auto* mistake = dynamic_cast<const model::CaseFileError*>(&error)) {
+    block["file"] = mistake->file();
+    block["line"] = mistake->line() > 0 ? Json(mistake->line()) : Json(nullptr);
+    block["key"] = mistake->key().empty() ? Json(nullptr) : Json(mistake->key());
+  }
+  return text_of({{"error", block}});
+}
+
+std::string check_json(const LoadedCase& loaded, const model::FabricFacts& facts, double mass_scaling) {
+  const model::Model& model = loaded.model;
+  return text_of({{"title", model.title},
+                  {"elements", facts.n_elements},
+                  {"nodes", facts.n_nodes},
+                  {"degrees_of_freedom", facts.n_degrees_of_freedom},
+                  {"loop_length_mm", facts.stitch_length},
+                  {"yarn_length_mm", facts.yarn_length},
+                  {"leg_angle_head_rad", facts.erc.theta1},
+                  {"leg_angle_foot_rad", facts.erc.theta2},
+                  {"out_of_plane_per_mm", facts.out_of_plane},
+                  {"least_out_of_plane_per_mm", facts.least_out_of_plane},
+                  {"least_gap_on_curve", gap_json(facts.closest_on_curve)},
+                  {"least_gap_on_elements", gap_json(facts.closest_on_elements)},
+                  {"width_mm", facts.width},
+                  {"height_mm", facts.height},
+                  {"thickness_mm", facts.thickness},
+                  {"mass_per_area_g_per_m2", facts.mass_per_area},
+                  {"axial_stiffness_N", facts.section.axial_stiffness},
+                  {"bending_stiffness_N_mm2", facts.section.bending_stiffness},
+                  {"torsional_stiffness_N_mm2", facts.section.torsional_stiffness},
+                  {"friction", model.friction},
+                  {"contact_stiffness_N_per_mm", model.contact_stiffness},
+                  {"gauge_length_mm", model.test.gauge_length},
+                  {"strain", model.test.strain},
+                  {"duration_s", model.test.time_at(model.test.strain)},
+                  {"mass_scaling", mass_scaling}});
+}
+
+std::string run_json(const std::string& summary, const std::filesystem::path& folder) {
+  Json document = Json::parse(summary);
+  document["folder"] = folder.string();
+  return text_of(document);
+}
+
+}  // namespace knitmech::app

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+
+#include "app/commands.h"
+#include "app/load_case.h"
+#include "model/facts.h"
+
+namespace knitmech::app {
+
+/// {"error": {"message": ..., "exit_code": ..., and for a mistake in a case file "file", "line", "key"}}
+[[nodiscard]] std::string error_json(const std::runtime_error& error, ExitCode code);
+
+/// What `check --json` prints; the units are in the keys.
+[[nodiscard]] std::string check_json(const LoadedCase& loaded, const model::FabricFacts& facts, double mass_scaling);
+
+/// What `run --json` prints: the summary of the run folder, and where that is.
+[[nodiscard]] std::string run_json(const std::string& summary, const std::filesystem::path& folder);
+
+}  // namespace knitmech::app

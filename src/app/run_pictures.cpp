@@ -1,0 +1,63 @@
+#include "app/run_pictures.h"
+
+#include <fmt/format.h>
+
+#include <string>
+#include <system_error>
+
+#include "app/run_texts.h"
+#include "base/errors.h"
+#include "picture/fabric_picture.h"
+#include "picture/force_strain.h"
+
+namespace knitmech::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kCurveFile = "force-strain.svg";
+
+std::string frame_name(int index) {
+  return fmt::format("frame_{:04}.png", index);
+}
+
+void remove_older_pictures(const fs::path& folder) {
+  fs::remove(folder / kCurveFile);
+  for (int i = 0; fs::remove(folder / frame_name(i)); ++i) continue;
+  if (fs::is_directory(folder) && fs::is_empty(folder)) fs::remove(folder);
+}
+
+}  // namespace
+
+RunPictures::RunPictures(results::RunFolder& folder, const model::Model& model, bool wanted)
+    : run_(folder), model_(model), wanted_(wanted), folder_(folder.path() / "pictures") {
+  try {
+    remove_older_pictures(folder_);
+    if (wanted_) fs::create_directories(folder_);
+  } catch (const fs::filesystem_error& error) {
+    throw FileError(fmt::format("cannot write the folder {}: {}", folder_.string(), error.code().message()));
+  }
+}
+
+void RunPictures::add_frame(const model::Frame& frame) {
+  if (wanted_) frames_.push_back(frame);
+}
+
+void RunPictures::draw(const model::Frame& frame) {
+  picture::PictureOptions options;
+  options.caption =
+      fmt::format("{} strain, {}", percent_text(frame.history.strain), force_text(frame.history.force_top));
+  try {
+    picture::write_fabric_picture(folder_ / frame_name(frame.index), model_, frame, options);
+  } catch (const InputError& error) {
+    run_.log(fmt::format("No picture of frame {}: {}", frame.index, error.what()));
+  }
+}
+
+void RunPictures::finish(const std::vector<model::HistoryRow>& history) {
+  if (!wanted_) return;
+  picture::write_force_strain_chart(folder_ / kCurveFile, history, model_.title);
+  for (const model::Frame& frame : frames_) draw(frame);
+}
+
+}  // namespace knitmech::app

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "model/frame.h"
+#include "model/model.h"
+#include "results/run_folder.h"
+
+namespace knitmech::app {
+
+/// The pictures of a run, in the folder pictures/ of its run folder: frame_0000.png and so on, and force-strain.svg.
+class RunPictures {
+ public:
+  /// Takes away the pictures of an earlier run, also if no new ones are wanted.
+  /// @throws FileError if the folder cannot be written
+  RunPictures(results::RunFolder& folder, const model::Model& model, bool wanted);
+
+  /// Keeps a frame; pictures take longer than many steps, so they are drawn when the simulation is over.
+  void add_frame(const model::Frame& frame);
+
+  /// Draws the frames and the force-strain curve. A frame that cannot be drawn, because a run has failed and its yarns
+  /// are scattered, is noted in the log of the run instead.
+  void finish(const std::vector<model::HistoryRow>& history);
+
+ private:
+  void draw(const model::Frame& frame);
+
+  results::RunFolder& run_;
+  const model::Model& model_;
+  bool wanted_;
+  std::filesystem::path folder_;
+  std::vector<model::Frame> frames_;
+};
+
+}  // namespace knitmech::app

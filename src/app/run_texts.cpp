@@ -1,0 +1,114 @@
+#include "app/run_texts.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "base/quantity.h"
+
+namespace knitmech::app {
+namespace {
+
+std::string counts_text(const model::FabricFacts& facts) {
+  return fmt::format("{} elements, {} nodes, {} degrees of freedom", facts.n_elements, facts.n_nodes,
+                     facts.n_degrees_of_freedom);
+}
+
+std::string fabric_text(const model::Case::Fabric& fabric) {
+  return fmt::format("{} wales x {} courses, {} elements per half stitch (ERC)", fabric.wales, fabric.courses,
+                     fabric.elements_per_erc);
+}
+
+std::string test_text(const model::TensileTest& test) {
+  return fmt::format("wale-wise tension to {} of {:.4g} mm at {:.4g} mm/s, {:.4g} s", percent_text(test.strain),
+                     test.gauge_length, test.speed, test.time_at(test.strain));
+}
+
+std::string mass_scaling_text(const model::Case& input, double mass_scaling) {
+  constexpr double kLeastWhole = 100;
+  const std::string factor =
+      mass_scaling < kLeastWhole ? fmt::format("{:.3g}", mass_scaling) : fmt::format("{:.0f}", mass_scaling);
+  return fmt::format("x {}{}", factor, input.solver.mass_scaling ? "" : " (chosen for the test)");
+}
+
+std::string out_of_plane_text(const model::FabricFacts& facts) {
+  return fmt::format("{:.5g} /mm{}, the least without overlap is {:.5g} /mm", facts.out_of_plane,
+                     facts.automatic_out_of_plane ? " (chosen)" : "", facts.least_out_of_plane);
+}
+
+std::string gap_text(const std::optional<knit::Approach>& approach) {
+  if (!approach) return "none, no yarn passes near another";
+  return fmt::format("{:.4g} mm, between {} and {}", approach->gap, describe(approach->a), describe(approach->b));
+}
+
+double degrees(double angle) {
+  return angle * 180 / std::numbers::pi;
+}
+
+}  // namespace
+
+std::string duration_text(double seconds) {
+  constexpr long kMinute = 60;
+  constexpr long kHour = 3600;
+  const long whole = std::lround(std::max(seconds, 0.0));
+  if (whole < kMinute) return fmt::format("{} s", whole);
+  if (whole < kHour) return fmt::format("{} min {} s", whole / kMinute, whole % kMinute);
+  return fmt::format("{} h {} min", whole / kHour, whole % kHour / kMinute);
+}
+
+std::string percent_text(double ratio) {
+  return fmt::format("{:.3g} %", 100 * ratio);
+}
+
+std::string force_text(double force) {
+  constexpr double kLeastInNewton = 0.1;
+  return std::abs(force) < kLeastInNewton ? fmt::format("{:.3g} mN", 1000 * force) : fmt::format("{:.3g} N", force);
+}
+
+std::string check_text(const LoadedCase& loaded, const model::FabricFacts& facts, double mass_scaling) {
+  std::string text = loaded.model.title + "\n";
+  const auto add = [&](const char* name, const std::string& value) { text += fmt::format("  {:14}{}\n", name, value); };
+  add("fabric", fabric_text(loaded.input.fabric));
+  add("mesh", counts_text(facts));
+  add("loop length", fmt::format("{:.5g} mm of yarn in a stitch, {:.4g} m in the fabric", facts.stitch_length,
+                                 facts.yarn_length / 1000));
+  add("leg", fmt::format("inclined by {:.4g} degrees at the head and {:.4g} degrees at the foot",
+                         degrees(facts.erc.theta1), degrees(facts.erc.theta2)));
+  add("out of plane", out_of_plane_text(facts));
+  add("least gap", gap_text(facts.closest_on_curve));
+  add("", "on the elements " + gap_text(facts.closest_on_elements));
+  add("size", fmt::format("{:.4g} x {:.4g} x {:.3g} mm, {:.4g} g/m^2", facts.width, facts.height, facts.thickness,
+                          facts.mass_per_area));
+  add("yarn", fmt::format("EA {:.6g} N, EI {:.6g} N mm^2, GJ {:.6g} N mm^2", facts.section.axial_stiffness,
+                          facts.section.bending_stiffness, facts.section.torsional_stiffness));
+  add("contact",
+      fmt::format("friction {:.3g}, {:.4g} N/mm at a crossing", loaded.model.friction, loaded.model.contact_stiffness));
+  add("test", test_text(loaded.model.test));
+  add("mass scaling", mass_scaling_text(loaded.input, mass_scaling));
+  return text;
+}
+
+std::string run_head_text(const LoadedCase& loaded, const model::FabricFacts& facts, double mass_scaling,
+                          const std::filesystem::path& folder) {
+  std::string text = loaded.model.title + "\n";
+  const auto add = [&](const char* name, const std::string& value) { text += fmt::format("  {:14}{}\n", name, value); };
+  add("fabric", fabric_text(loaded.input.fabric));
+  add("mesh", counts_text(facts));
+  add("loop length", fmt::format("{:.5g} mm", facts.stitch_length));
+  add("test", test_text(loaded.model.test));
+  add("mass scaling", mass_scaling_text(loaded.input, mass_scaling));
+  const bool replaces = std::filesystem::exists(folder / "summary.json");
+  add("results", folder.string() + (replaces ? " (replaces the run that is there)" : ""));
+  return text;
+}
+
+std::string run_end_text(const model::RunOutcome& outcome, const model::HistoryRow& last,
+                         const results::Quality& quality) {
+  const char* const how = outcome.status == model::RunStatus::completed ? "Reached" : "Stopped at";
+  return fmt::format("{} {} strain with {} after {} ({} steps).\nQuality: {}\n", how, percent_text(outcome.strain),
+                     force_text(last.force_top), duration_text(outcome.wall_seconds), outcome.steps, quality.verdict);
+}
+
+}  // namespace knitmech::app

@@ -1,0 +1,57 @@
+#include "beam/elements.h"
+
+#include <cmath>
+
+namespace knitmech::beam {
+
+namespace {
+
+/// Abaqus' default slenderness compensation factor.
+constexpr double kSlendernessCompensation = 0.25;
+
+Elements inert_elements(std::size_t n) {
+  Elements elements;
+  elements.axis_x.assign(n, 1.0);
+  elements.axis_y.assign(n, 0.0);
+  elements.axis_z.assign(n, 0.0);
+  elements.inverse_length.assign(n, 1.0);
+  for (auto* stiffness :
+       {&elements.axial, &elements.shear, &elements.torsion, &elements.bending, &elements.mass, &elements.viscosity}) {
+    stiffness->assign(n, 0.0);
+  }
+  return elements;
+}
+
+}  // namespace
+
+double compensated_shear_stiffness(double section_shear, double axial, double bending, double length) {
+  return section_shear / (1 + kSlendernessCompensation * length * length * axial / (12 * bending));
+}
+
+Elements make_elements(const model::Model& model, double mass_scaling, double bulk_viscosity) {
+  Elements elements = inert_elements(model.nodes.size());
+  for (const model::ModelYarn& yarn : model.yarns) {
+    const yarn::Section& section = model.sections[static_cast<std::size_t>(yarn.section)];
+    const auto first = static_cast<std::size_t>(yarn.first_node);
+    const auto last = first + static_cast<std::size_t>(yarn.n_nodes) - 1;
+    for (std::size_t i = first; i < last; ++i) {
+      const Eigen::Vector3d chord = model.nodes[i + 1] - model.nodes[i];
+      const double length = chord.norm();
+      elements.axis_x[i] = chord.x() / length;
+      elements.axis_y[i] = chord.y() / length;
+      elements.axis_z[i] = chord.z() / length;
+      elements.inverse_length[i] = 1 / length;
+      elements.axial[i] = section.axial_stiffness;
+      elements.shear[i] = compensated_shear_stiffness(section.shear_stiffness, section.axial_stiffness,
+                                                      section.bending_stiffness, length);
+      elements.torsion[i] = section.torsional_stiffness;
+      elements.bending[i] = section.bending_stiffness;
+      elements.mass[i] = section.mass_per_length * length;
+      elements.viscosity[i] =
+          bulk_viscosity * std::sqrt(section.axial_stiffness * section.mass_per_length * mass_scaling);
+    }
+  }
+  return elements;
+}
+
+}  // namespace knitmech::beam

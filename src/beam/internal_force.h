@@ -1,0 +1,31 @@
+#pragma once
+
+#include "beam/elements.h"
+#include "model/state.h"
+
+namespace knitmech::beam {
+
+/// Loads of the elements on their nodes, kept between the two passes of add_internal_force, and the viscous loss so
+/// far.
+struct ElementWork {
+  model::VectorArray force_a, moment_a, moment_b;  ///< one entry per element
+  std::vector<double> damping_loss;                ///< [mJ], by bulk viscosity since the start, per element
+
+  explicit ElementWork(std::size_t n) : force_a(n), moment_a(n), moment_b(n), damping_loss(n, 0.0) {}
+};
+
+/// Sets `loads` to the forces and moments of all elements (element.h) and of their bulk viscosity on the nodes.
+///
+/// First every element by itself, then every node gathers from the element before and the element behind it: no two
+/// writers of one place, and always the same order of summation.
+/// \param step [s] over which the viscous power is added to the loss
+void set_internal_force(const Elements& elements, const model::State& state, double step, ElementWork& work,
+                        model::NodalLoads& loads);
+
+/// Strain energy of all elements [mJ].
+[[nodiscard]] double strain_energy(const Elements& elements, const model::State& state);
+
+/// Energy dissipated by bulk viscosity since the start [mJ].
+[[nodiscard]] double damping_loss(const ElementWork& work);
+
+}  // namespace knitmech::beam

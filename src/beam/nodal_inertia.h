@@ -1,0 +1,32 @@
+#pragma once
+
+#include <vector>
+
+#include "beam/elements.h"
+
+namespace knitmech::beam {
+
+/// Lumped masses of the nodes and the frequency that they allow.
+struct NodalInertia {
+  std::vector<double> mass;              ///< [t], one entry per node
+  std::vector<double> rotary;            ///< [t mm^2], the same about every axis
+  double highest_frequency_squared = 0;  ///< [1/s^2], upper bound for the beams alone, without contact
+};
+
+/// Half of each element's mass to each of its nodes, and as much rotary inertia as keeps rotation from limiting the
+/// step.
+///
+/// With the nodal share m = rho A L0 / 2 and rotary share J of an element, its highest frequencies are
+///
+///     axial    w^2 = 2 EA / (L0 m)
+///     shear    w^2 = k G A' (2 / (L0 m) + L0 / (2 J))
+///     bending  w^2 = 2 EI / (L0 J)
+///     torsion  w^2 = 2 GJ / (L0 J)
+///
+/// (eigenvalues of the element's stiffness, which couples lateral motion with the sum of the rotations and nothing
+/// else). J is twice the least value for which none of the last three exceeds max(2 EA, 4 k G A') / (L0 m), and never
+/// less than the section's own rotary inertia rho I L0 / 2. The highest frequency of the assembled mesh is at most the
+/// highest of any element (Irons and Treharne 1971). \param mass_scaling factor on all masses
+[[nodiscard]] NodalInertia lump_inertia(const Elements& elements, double mass_scaling);
+
+}  // namespace knitmech::beam

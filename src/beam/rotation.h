@@ -1,0 +1,57 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include "base/vectorise.h"
+
+namespace knitmech::beam {
+
+/// Coefficients a_n of  phi / sin(phi) = sum a_n (1 - cos(phi))^n,  a_0 = 1, a_n = a_(n-1) n / (2n + 1).
+///
+/// With y = 1 - cos(phi) at most 1 - cos(45 deg) = 0.293 the terms fall by 0.15 each, so twenty of them are exact to
+/// rounding.
+inline constexpr int kAngleTerms = 20;
+
+/// The coefficients from a_1 on.
+constexpr std::array<double, kAngleTerms> angle_series() {
+  std::array<double, kAngleTerms> series{};
+  double coefficient = 1;
+  for (int n = 1; n <= kAngleTerms; ++n) {
+    coefficient *= static_cast<double>(n) / (2.0 * n + 1.0);
+    series[static_cast<std::size_t>(n - 1)] = coefficient;
+  }
+  return series;
+}
+inline constexpr std::array<double, kAngleTerms> kAngleSeries = angle_series();
+
+/// sum a_(n+1) y^n by Horner's rule, written out by the compiler: a loop in here would keep the loop over elements
+/// scalar.
+template <std::size_t n>
+KNITMECH_INLINE double angle_polynomial(double y) {
+  if constexpr (n + 1 == kAngleSeries.size()) {
+    return kAngleSeries[n];
+  } else {
+    return kAngleSeries[n] + y * angle_polynomial<n + 1>(y);
+  }
+}
+
+/// What a relative rotation needs besides its quaternion (cos phi, u sin phi), phi = half the angle, 0 <= phi <= 90
+/// deg.
+struct HalfAngle {
+  double ratio;        ///< f = phi / sin(phi): the rotation vector is 2 f u sin(phi)
+  double ratio_slope;  ///< g = (1 - f) / sin^2(phi), smooth through phi = 0
+  double cos_half;     ///< cos(phi / 2)
+};
+
+/// Without branches or trigonometric functions, so that it vectorises: one halving of the angle, then the series above.
+/// \param cosine cos(phi), in [0, 1]
+KNITMECH_INLINE HalfAngle half_angle(double cosine) {
+  const double cos_half = std::sqrt(0.5 * (1 + cosine));
+  const double y = 1 - cos_half;
+  const double sum = 1 + angle_polynomial<0>(y);
+  return {1 + y * sum / cos_half, -sum / (2 * cos_half * (1 + cos_half) * (1 + cosine)), cos_half};
+}
+
+}  // namespace knitmech::beam

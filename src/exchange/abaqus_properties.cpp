@@ -1,0 +1,136 @@
+#include <fmt/format.h>
+
+#include <array>
+#include <map>
+#include <ostream>
+#include <string>
+
+#include "exchange/abaqus_number.h"
+#include "exchange/abaqus_parts.h"
+#include "exchange/abaqus_section.h"
+#include "exchange/constants.h"
+
+namespace knitmech::exchange::deck {
+
+namespace {
+
+constexpr const char* kSurface = "YARN_SURFACE";
+constexpr const char* kInteraction = "YARN_ON_YARN";
+
+std::string section_surface(int section) {
+  return fmt::format("SECTION_{}_SURFACE", section + 1);
+}
+std::string material_name(int section) {
+  return fmt::format("YARN_{}", section + 1);
+}
+
+void write_circle(std::ostream& out, const SectionGroup& group, const AbaqusSection& section) {
+  line(out, "*BEAM SECTION, ELSET={}, MATERIAL={}, SECTION=CIRC, ROTARY INERTIA=ISOTROPIC", group.set,
+       material_name(group.section));
+  line(out, "{}", abaqus_number(section.radius));
+}
+
+void write_general(std::ostream& out, const SectionGroup& group, const AbaqusSection& section) {
+  line(out, "*BEAM GENERAL SECTION, ELSET={}, SECTION=GENERAL, DENSITY={}, ROTARY INERTIA=ISOTROPIC", group.set,
+       abaqus_number(section.density));
+  line(out, "{}, {}, 0., {}, {}", abaqus_number(section.area), abaqus_number(section.inertia),
+       abaqus_number(section.inertia), abaqus_number(section.torsion_constant));
+}
+
+void write_section(std::ostream& out, const SectionGroup& group, const AbaqusSection& section) {
+  static constexpr std::array<const char*, 3> kAxes = {"1., 0., 0.", "0., 1., 0.", "0., 0., 1."};
+  if (section.circle) {
+    write_circle(out, group, section);
+  } else {
+    write_general(out, group, section);
+  }
+  line(out, "{}", kAxes[static_cast<std::size_t>(group.axis)]);
+  if (!section.circle) {
+    line(out, "{}, {}", abaqus_number(section.youngs_modulus), abaqus_number(section.shear_modulus));
+  }
+  const std::string shear = abaqus_number(section.shear_stiffness);
+  out << "*TRANSVERSE SHEAR STIFFNESS\n";
+  line(out, "{}, {}, {}", shear, shear, abaqus_number(kSlendernessCompensation));
+}
+
+void write_surface(std::ostream& out, const std::string& name, const std::string& set) {
+  line(out, "*SURFACE, NAME={}, TYPE=ELEMENT", name);
+  line(out, "{},", set);
+}
+
+/// A general section has no outline; its contact diameter is given as a surface thickness.
+void write_contact_diameters(std::ostream& out, const std::map<int, double>& diameters) {
+  if (diameters.empty()) return;
+  out << "*SURFACE PROPERTY ASSIGNMENT, PROPERTY=THICKNESS\n";
+  for (const auto& [section, diameter] : diameters) {
+    line(out, "{}, {}", section_surface(section), abaqus_number(diameter));
+  }
+}
+
+}  // namespace
+
+std::string section_set(int section) {
+  return fmt::format("SECTION_{}", section + 1);
+}
+
+std::vector<SectionGroup> section_groups(const model::Model& model) {
+  static constexpr std::array<const char*, 3> kAxisNames = {"X", "Y", "Z"};
+  std::map<std::pair<int, int>, std::vector<int>> elements;
+  int number = 0;
+  for (const model::ModelYarn& yarn : model.yarns) {
+    for (int i = yarn.first_node; i < yarn.first_node + yarn.n_nodes - 1; ++i) {
+      const auto node = static_cast<std::size_t>(i);
+      elements[{yarn.section, first_axis(model.nodes[node + 1] - model.nodes[node])}].push_back(++number);
+    }
+  }
+  std::map<int, int> axes_of_section;
+  for (const auto& [key, numbers] : elements) ++axes_of_section[key.first];
+  std::vector<SectionGroup> groups;
+  for (auto& [key, numbers] : elements) {
+    const auto [section, axis] = key;
+    std::string set = section_set(section);
+    if (axes_of_section[section] > 1) set += fmt::format("_AXIS_{}", kAxisNames[static_cast<std::size_t>(axis)]);
+    groups.push_back({std::move(set), section, axis, std::move(numbers)});
+  }
+  return groups;
+}
+
+void write_sections(std::ostream& out, const model::Model& model, const std::vector<SectionGroup>& groups) {
+  caption(out, "SECTIONS: radius, not diameter; or A, I11, I12, I22, J and E, G; then the direction of the first axis");
+  for (const SectionGroup& group : groups) {
+    write_section(out, group, abaqus_section(model.sections[static_cast<std::size_t>(group.section)]));
+  }
+}
+
+void write_materials(std::ostream& out, const model::Model& model) {
+  caption(out, "MATERIALS (a general section carries its own and needs none here)");
+  for (int i = 0; i < static_cast<int>(model.sections.size()); ++i) {
+    const AbaqusSection section = abaqus_section(model.sections[static_cast<std::size_t>(i)]);
+    if (!section.circle) continue;
+    line(out, "*MATERIAL, NAME={}", material_name(i));
+    out << "*DENSITY\n";
+    line(out, "{},", abaqus_number(section.density));
+    out << "*ELASTIC\n";
+    line(out, "{}, {}", abaqus_number(section.youngs_modulus), abaqus_number(section.poissons_ratio));
+  }
+}
+
+void write_contact(std::ostream& out, const model::Model& model, const std::vector<SectionGroup>& groups) {
+  caption(out, "CONTACT: every yarn with every yarn and with itself");
+  std::map<int, double> diameters;
+  for (const SectionGroup& group : groups) {
+    const yarn::Section& section = model.sections[static_cast<std::size_t>(group.section)];
+    if (!abaqus_section(section).circle) diameters[group.section] = section.diameter;
+  }
+  write_surface(out, kSurface, kAllElements);
+  for (const auto& [section, diameter] : diameters) write_surface(out, section_surface(section), section_set(section));
+  line(out, "*SURFACE INTERACTION, NAME={}", kInteraction);
+  out << "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=HARD\n*FRICTION\n";
+  line(out, "{},", abaqus_number(model.friction));
+  out << "*CONTACT\n*CONTACT INCLUSIONS, ALL EXTERIOR\n";
+  out << "*CONTACT PROPERTY ASSIGNMENT\n";
+  line(out, "{}, {}, {}", kSurface, kSurface, kInteraction);
+  write_contact_diameters(out, diameters);
+}
+
+}  // namespace knitmech::exchange::deck

@@ -1,0 +1,168 @@
+#include "exchange/abaqus_writer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <ostream>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "exchange/abaqus_number.h"
+#include "exchange/abaqus_parts.h"
+#include "exchange/constants.h"
+
+namespace knitmech::exchange {
+
+namespace {
+
+using deck::caption;
+using deck::line;
+using deck::SectionGroup;
+
+constexpr std::size_t kHeadingWidth = 80;
+
+void comment(std::ostream& out, std::string_view text) {
+  out << "** " << text << '\n';
+}
+
+/// Element sets of the yarns: by course where every course is one yarn, by yarn otherwise.
+std::vector<std::string> yarn_sets(const model::Model& model) {
+  std::set<int> courses;
+  for (const model::ModelYarn& yarn : model.yarns) courses.insert(yarn.course);
+  const bool by_course = courses.size() == model.yarns.size();
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < model.yarns.size(); ++i) {
+    names.push_back(by_course ? fmt::format("COURSE_{}", model.yarns[i].course + 1) : fmt::format("YARN_{}", i + 1));
+  }
+  return names;
+}
+
+/// Data lines of a set: at most 16 entries each.
+template <typename Entry>
+void write_entries(std::ostream& out, const std::vector<Entry>& entries) {
+  for (std::size_t i = 0; i < entries.size(); i += kAbaqusSetEntries) {
+    const auto last = std::min(entries.size(), i + kAbaqusSetEntries);
+    line(out, "{}",
+         fmt::join(entries.begin() + static_cast<std::ptrdiff_t>(i),
+                   entries.begin() + static_cast<std::ptrdiff_t>(last), ", "));
+  }
+}
+
+void write_heading(std::ostream& out, const model::Model& model) {
+  out << "*HEADING\n";
+  const std::string title = "KnitMech: " + abaqus_text(model.title);
+  for (std::size_t i = 0; i < title.size(); i += kHeadingWidth) line(out, "{}", title.substr(i, kHeadingWidth));
+  out << "Units: mm, N, s, t, MPa, mJ\n";
+}
+
+void write_introduction(std::ostream& out, const model::Model& model) {
+  const model::TensileTest& test = model.test;
+  out << "**\n";
+  comment(out, "A knitted fabric, yarn by yarn, in a tensile test; for Abaqus/Explicit, in double precision.");
+  comment(out, "Units: length mm, force N, time s, mass t, stress MPa, energy mJ, density t/mm^3.");
+  comment(out, "x runs along the courses, y along the wales, z out of the plane of the fabric.");
+  comment(out, fmt::format("{} yarns, {} nodes, {} beam elements.", model.yarns.size(), model.n_nodes(),
+                           model.n_elements()));
+  comment(out,
+          fmt::format("The node set {} is held, the node set {} is driven along y.", test.held_set, test.driven_set));
+  comment(out, fmt::format("Strain = displacement of {} / {} mm.", test.driven_set, abaqus_number(test.gauge_length)));
+  comment(out, "The shape given here is free of stress.");
+  out << "**\n";
+  comment(out, "Lines to change for");
+  comment(
+      out,
+      "  another yarn       *BEAM SECTION (radius) or *BEAM GENERAL SECTION, *MATERIAL, *TRANSVERSE SHEAR STIFFNESS");
+  comment(out, "  another friction   *FRICTION");
+  comment(out, "  another speed      *BOUNDARY, TYPE=VELOCITY, and with it the times of *AMPLITUDE and *DYNAMIC");
+  comment(out, "  another strain     *DYNAMIC (duration), and the last time of *AMPLITUDE");
+  comment(out,
+          "  a faster run       *FIXED MASS SCALING, FACTOR=f after *DYNAMIC: masses times f, time step times sqrt(f)");
+  comment(out, "  more pictures      *OUTPUT, FIELD (NUMBER INTERVAL)");
+}
+
+void write_nodes(std::ostream& out, const model::Model& model) {
+  caption(out, "NODES");
+  out << "*NODE\n";
+  for (std::size_t i = 0; i < model.nodes.size(); ++i) {
+    const Eigen::Vector3d& node = model.nodes[i];
+    line(out, "{}, {}, {}, {}", i + 1, abaqus_number(node.x()), abaqus_number(node.y()), abaqus_number(node.z()));
+  }
+}
+
+void write_elements(std::ostream& out, const model::Model& model) {
+  caption(out, "YARNS: two-node shear-flexible beams");
+  const std::vector<std::string> names = yarn_sets(model);
+  int number = 0;
+  for (std::size_t k = 0; k < model.yarns.size(); ++k) {
+    const model::ModelYarn& yarn = model.yarns[k];
+    line(out, "*ELEMENT, TYPE=B31, ELSET={}", names[k]);
+    for (int i = yarn.first_node; i < yarn.first_node + yarn.n_nodes - 1; ++i) {
+      line(out, "{}, {}, {}", ++number, i + 1, i + 2);
+    }
+  }
+}
+
+void write_element_sets(std::ostream& out, const model::Model& model, const std::vector<SectionGroup>& groups) {
+  caption(out, "ELEMENT SETS: the elements of each section, and all of them");
+  const std::vector<std::string> names = yarn_sets(model);
+  std::vector<std::string> sections;
+  for (int section = 0; section < static_cast<int>(model.sections.size()); ++section) {
+    std::vector<std::string> members;
+    for (std::size_t k = 0; k < model.yarns.size(); ++k) {
+      if (model.yarns[k].section == section) members.push_back(names[k]);
+    }
+    if (members.empty()) continue;
+    sections.push_back(deck::section_set(section));
+    line(out, "*ELSET, ELSET={}", sections.back());
+    write_entries(out, members);
+  }
+  line(out, "*ELSET, ELSET={}", deck::kAllElements);
+  write_entries(out, sections);
+  for (const SectionGroup& group : groups) {
+    if (group.set == deck::section_set(group.section)) continue;
+    line(out, "*ELSET, ELSET={}", group.set);
+    write_entries(out, group.elements);
+  }
+}
+
+void write_node_sets(std::ostream& out, const model::Model& model) {
+  caption(out, "NODE SETS");
+  for (const auto& [name, nodes] : model.node_sets) {
+    if (nodes.empty()) continue;
+    line(out, "*NSET, NSET={}", name);
+    std::vector<int> numbers(nodes);
+    for (int& number : numbers) ++number;
+    write_entries(out, numbers);
+  }
+}
+
+void require_grip(const model::Model& model, const std::string& name) {
+  const auto set = model.node_sets.find(name);
+  if (set == model.node_sets.end() || set->second.empty()) {
+    throw std::invalid_argument(fmt::format("write_abaqus: the model has no nodes in its grip {}", name));
+  }
+}
+
+}  // namespace
+
+void write_abaqus(std::ostream& out, const model::Model& model, const AbaqusOptions& options) {
+  require_grip(model, model.test.held_set);
+  require_grip(model, model.test.driven_set);
+  const std::vector<SectionGroup> groups = deck::section_groups(model);
+  write_heading(out, model);
+  write_introduction(out, model);
+  write_nodes(out, model);
+  write_elements(out, model);
+  write_element_sets(out, model, groups);
+  write_node_sets(out, model);
+  deck::write_sections(out, model, groups);
+  deck::write_materials(out, model);
+  deck::write_contact(out, model, groups);
+  deck::write_grips(out, model.test);
+  deck::write_step(out, model.test, options);
+}
+
+}  // namespace knitmech::exchange

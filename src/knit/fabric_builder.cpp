@@ -1,0 +1,78 @@
+#include "knit/fabric_builder.h"
+
+#include <cstddef>
+#include <vector>
+
+#include "knit/check_fabric.h"
+
+namespace knitmech::knit {
+namespace {
+
+using Eigen::Vector3d;
+
+/// Adds node i of 0 ... N on one half of a stitch; side = -1 is the mirror image, where the yarn runs from foot to
+/// head.
+void add_node(YarnCurve& yarn, const FabricLayout& layout, const Erc& erc, const CurvePoint& at, int wale, int i,
+              int side) {
+  const int n = layout.elements_per_erc;
+  const Vector3d& position = at.position;
+  const auto index = static_cast<double>(yarn.points.size());
+  yarn.points.emplace_back(wale * layout.loop.width + side * position.x(), position.y(), position.z());
+  yarn.tangents.emplace_back(at.tangent.x(), side * at.tangent.y(), side * at.tangent.z());
+  yarn.arc_length.push_back(index * erc.length / n);
+  yarn.wale.push_back(wale);
+  yarn.from_head.push_back(i * erc.length / n);
+  yarn.from_foot.push_back((n - i) * erc.length / n);
+}
+
+YarnCurve build_lowest_course(const FabricLayout& layout, const Erc& erc) {
+  const int n = layout.elements_per_erc;
+  const std::vector<CurvePoint> points = equal_arc_points(erc, n);
+  YarnCurve yarn;
+  const auto add = [&](int wale, int i, int side) {
+    add_node(yarn, layout, erc, points[static_cast<std::size_t>(i)], wale, i, side);
+  };
+  add(0, n, -1);
+  for (int wale = 0; wale < layout.wales; ++wale) {
+    // The foot on the left is the last node of the stitch before.
+    for (int i = n - 1; i > 0; --i) add(wale, i, -1);
+    for (int i = 0; i <= n; ++i) add(wale, i, 1);
+  }
+  return yarn;
+}
+
+YarnCurve raise(YarnCurve yarn, int course, double course_spacing) {
+  yarn.course = course;
+  for (Vector3d& point : yarn.points) point.y() += course * course_spacing;
+  return yarn;
+}
+
+}  // namespace
+
+Fabric build_fabric(const FabricLayout& layout) {
+  check_layout(layout);
+  return build_fabric(layout, make_erc(layout.loop));
+}
+
+Fabric build_fabric(const FabricLayout& layout, const Erc& erc) {
+  check_layout(layout);
+  Fabric fabric;
+  fabric.layout = layout;
+  fabric.erc_length = erc.length;
+  fabric.yarns.reserve(static_cast<std::size_t>(layout.courses));
+  const YarnCurve lowest = build_lowest_course(layout, erc);
+  for (int course = 0; course < layout.courses; ++course) {
+    fabric.yarns.push_back(raise(lowest, course, layout.course_spacing));
+  }
+  return fabric;
+}
+
+long count_elements(const FabricLayout& layout) {
+  return 2L * layout.elements_per_erc * layout.wales * layout.courses;
+}
+
+long count_nodes(const FabricLayout& layout) {
+  return count_elements(layout) + layout.courses;
+}
+
+}  // namespace knitmech::knit

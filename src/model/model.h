@@ -1,0 +1,69 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "model/case.h"
+#include "yarn/section.h"
+
+namespace knitmech::model {
+
+/// One yarn of the model: its nodes are consecutive, and element i joins node i to node i + 1.
+struct ModelYarn {
+  int first_node = 0;
+  int n_nodes = 0;
+  int section = 0;  ///< index into Model::sections
+  int course = 0;
+};
+
+/// Names of the node sets that every fabric has. bottom_feet and top_heads are the grips.
+inline constexpr const char* kBottomFeet = "bottom_feet";
+inline constexpr const char* kTopHeads = "top_heads";
+inline constexpr const char* kLeftEdge = "left_edge";
+inline constexpr const char* kRightEdge = "right_edge";
+
+/// The tensile test: one set held with all six degrees of freedom, the other driven along y.
+struct TensileTest {
+  std::string held_set = kBottomFeet;
+  std::string driven_set = kTopHeads;
+  Grips grips = Grips::clamped;
+  double gauge_length =
+      0;              ///< [mm], highest minus lowest centreline y at the start; strain = displacement / gauge_length
+  double strain = 0;  ///< [-], at the end
+  double speed = 0;   ///< [mm/s]
+  double ramp = 0;    ///< [s], the speed grows linearly from 0 over this time, then stays
+
+  /// Displacement of the driven set [mm] at a time [s].
+  [[nodiscard]] double displacement(double time) const;
+  /// Velocity of the driven set [mm/s] at a time [s].
+  [[nodiscard]] double velocity(double time) const;
+  /// Time [s] at which a strain is reached.
+  [[nodiscard]] double time_at(double strain) const;
+};
+
+/// The finite-element model: nodes, two-node beam elements along yarns, sections, node sets, contact, test.
+///
+/// Nodes are numbered along each yarn, yarn after yarn. Element i exists if node i is not the last of its yarn and
+/// joins nodes i and i + 1; per-element vectors have one entry per node, the entry of a yarn's last node is unused and
+/// zero.
+struct Model {
+  std::string title;
+  std::vector<Eigen::Vector3d> nodes;     ///< [mm], stress-free
+  std::vector<Eigen::Vector3d> tangents;  ///< unit tangents of the true centreline at the nodes
+  std::vector<double> arc_length;         ///< [mm], along the true centreline from the yarn's first node
+  std::vector<ModelYarn> yarns;
+  std::vector<yarn::Section> sections;
+  std::map<std::string, std::vector<int>> node_sets;  ///< ascending node indices
+  double half_stitch_length = 0;                      ///< [mm], arc length of one ERC
+  double friction = 0;                                ///< mu [-]
+  double contact_stiffness = 0;                       ///< [N/mm], penalty of one crossing
+  Centreline centreline = Centreline::chords;
+  TensileTest test;
+
+  [[nodiscard]] int n_nodes() const { return static_cast<int>(nodes.size()); }
+  [[nodiscard]] int n_elements() const { return n_nodes() - static_cast<int>(yarns.size()); }
+};
+
+}  // namespace knitmech::model

@@ -1,0 +1,229 @@
+#include "picture/chart.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "picture/ticks.h"
+
+namespace knitmech::picture {
+namespace {
+
+/// Dark enough on white for a thin line, and distinguishable with any colour vision (M. Okabe and K. Ito, "Color
+/// Universal Design", 2008). The dashes tell the lines apart in black-and-white print.
+struct LineStyle {
+  const char* colour;
+  const char* dashes;
+};
+constexpr std::array<LineStyle, 6> kStyles{{{"#0072b2", ""},
+                                            {"#d55e00", "7 4"},
+                                            {"#009e73", "2 3"},
+                                            {"#cc79a7", "10 3 2 3"},
+                                            {"#56b4e9", ""},
+                                            {"#000000", "7 4"}}};
+
+constexpr const char* kFont = "DejaVu Sans, Helvetica, Arial, sans-serif";
+constexpr double kTextSize = 14;
+constexpr double kTitleSize = 16;
+
+std::string escaped(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        result += "&amp;";
+        break;
+      case '<':
+        result += "&lt;";
+        break;
+      case '>':
+        result += "&gt;";
+        break;
+      case '"':
+        result += "&quot;";
+        break;
+      default:
+        // XML has no way to write control characters.
+        result += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+    }
+  }
+  return result;
+}
+
+/// Where things lie on the page [px].
+struct Layout {
+  double left = 78;
+  double right = 0;
+  double top = 0;
+  double bottom = 0;
+  double legend_y = 0;
+  Ticks x;
+  Ticks y;
+
+  [[nodiscard]] double page_x(double value) const {
+    return left + (value - x.first()) / (x.last() - x.first()) * (right - left);
+  }
+  [[nodiscard]] double page_y(double value) const {
+    return bottom - (value - y.first()) / (y.last() - y.first()) * (bottom - top);
+  }
+};
+
+struct Range {
+  double lowest = std::numeric_limits<double>::infinity();
+  double highest = -std::numeric_limits<double>::infinity();
+
+  void include(double value) {
+    lowest = std::min(lowest, value);
+    highest = std::max(highest, value);
+  }
+};
+
+bool is_point(const Series& series, std::size_t i) {
+  return std::isfinite(series.x[i]) && std::isfinite(series.y[i]);
+}
+
+Layout lay_out(const Chart& chart) {
+  Range x;
+  Range y;
+  for (const Series& series : chart.series) {
+    if (series.x.size() != series.y.size()) {
+      throw std::invalid_argument(
+          fmt::format("The series \"{}\" has {} x and {} y.", series.name, series.x.size(), series.y.size()));
+    }
+    for (std::size_t i = 0; i < series.x.size(); ++i) {
+      if (is_point(series, i)) {
+        x.include(series.x[i]);
+        y.include(series.y[i]);
+      }
+    }
+  }
+  Layout layout;
+  layout.right = chart.width - 28.0;
+  layout.top = chart.title.empty() ? 22.0 : 48.0;
+  if (chart.series.size() > 1) {
+    layout.legend_y = layout.top + 4;
+    layout.top += 26;
+  }
+  layout.bottom = chart.height - 60.0;
+  layout.x = nice_ticks(x.lowest, x.highest, 8);
+  layout.y = nice_ticks(y.lowest, y.highest, 6);
+  return layout;
+}
+
+std::string text_element(double x, double y, double size, const char* anchor, const std::string& text,
+                         const std::string& more = {}) {
+  return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"{}\" text-anchor=\"{}\"{}>{}</text>\n", x, y, size,
+                     anchor, more, escaped(text));
+}
+
+std::string line_element(double x1, double y1, double x2, double y2, const char* attributes) {
+  return fmt::format("<line x1=\"{:.2f}\" y1=\"{:.2f}\" x2=\"{:.2f}\" y2=\"{:.2f}\" {}/>\n", x1, y1, x2, y2,
+                     attributes);
+}
+
+std::string axes(const Chart& chart, const Layout& layout) {
+  constexpr const char* kGrid = R"(stroke="#e3e3e3" stroke-width="1")";
+  constexpr const char* kAxis = R"(stroke="#333333" stroke-width="1.2")";
+  std::string text;
+  for (std::size_t i = 0; i < layout.x.values.size(); ++i) {
+    const double x = layout.page_x(layout.x.values[i]);
+    text += line_element(x, layout.top, x, layout.bottom, kGrid);
+    text += line_element(x, layout.bottom, x, layout.bottom + 5, kAxis);
+    text += text_element(x, layout.bottom + 21, kTextSize, "middle", layout.x.labels[i]);
+  }
+  for (std::size_t i = 0; i < layout.y.values.size(); ++i) {
+    const double y = layout.page_y(layout.y.values[i]);
+    text += line_element(layout.left, y, layout.right, y, kGrid);
+    text += line_element(layout.left - 5, y, layout.left, y, kAxis);
+    text += text_element(layout.left - 9, y + 5, kTextSize, "end", layout.y.labels[i]);
+  }
+  text += line_element(layout.left, layout.bottom, layout.right, layout.bottom, kAxis);
+  text += line_element(layout.left, layout.top, layout.left, layout.bottom, kAxis);
+  text += text_element(0.5 * (layout.left + layout.right), chart.height - 14.0, kTextSize, "middle", chart.x_label);
+  const double middle = 0.5 * (layout.top + layout.bottom);
+  text += text_element(20, middle, kTextSize, "middle", chart.y_label,
+                       fmt::format(R"~( transform="rotate(-90 20 {:.1f})")~", middle));
+  return text;
+}
+
+std::string stroke(std::size_t index) {
+  const LineStyle& style = kStyles[index % kStyles.size()];
+  std::string text = fmt::format(R"(fill="none" stroke="{}" stroke-width="{}" stroke-linejoin="round")", style.colour,
+                                 kChartLineWidth);
+  if (style.dashes[0] != '\0') {
+    text += fmt::format(R"( stroke-dasharray="{}")", style.dashes);
+  }
+  return text;
+}
+
+/// One <polyline> for each run of finite points, or a dot where the run is a single point.
+std::string series_lines(const Series& series, std::size_t index, const Layout& layout) {
+  std::string text;
+  std::size_t i = 0;
+  while (i < series.x.size()) {
+    std::string points;
+    std::size_t count = 0;
+    for (; i < series.x.size() && is_point(series, i); ++i, ++count) {
+      points +=
+          fmt::format("{}{:.2f},{:.2f}", count == 0 ? "" : " ", layout.page_x(series.x[i]), layout.page_y(series.y[i]));
+    }
+    if (count == 1) {
+      text +=
+          fmt::format("<circle cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"3.5\" fill=\"{}\"/>\n", layout.page_x(series.x[i - 1]),
+                      layout.page_y(series.y[i - 1]), kStyles[index % kStyles.size()].colour);
+    } else if (count > 1) {
+      text += fmt::format("<polyline points=\"{}\" {}/>\n", points, stroke(index));
+    } else {
+      ++i;
+    }
+  }
+  return text;
+}
+
+std::string legend(const Chart& chart, const Layout& layout) {
+  std::string text;
+  double x = layout.left;
+  for (std::size_t i = 0; i < chart.series.size(); ++i) {
+    text += line_element(x, layout.legend_y, x + 34, layout.legend_y, stroke(i).c_str());
+    text += text_element(x + 42, layout.legend_y + 5, kTextSize, "start", chart.series[i].name);
+    // The reader's font is not known here: 0.62 of its size is a generous mean width of a letter.
+    x += 42 + 0.62 * kTextSize * static_cast<double>(chart.series[i].name.size()) + 24;
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string chart_svg(const Chart& chart) {
+  const Layout layout = lay_out(chart);
+  std::string text = fmt::format(
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" "
+      "font-family=\"{2}\" fill=\"#222222\">\n"
+      "<rect width=\"{0}\" height=\"{1}\" fill=\"#ffffff\"/>\n",
+      chart.width, chart.height, kFont);
+  if (!chart.title.empty()) {
+    text += text_element(layout.left, 28, kTitleSize, "start", chart.title, " font-weight=\"bold\"");
+  }
+  text += axes(chart, layout);
+  std::string lines;
+  // The first series is the main one and lies on top.
+  for (std::size_t i = chart.series.size(); i > 0; --i) {
+    lines += series_lines(chart.series[i - 1], i - 1, layout);
+  }
+  if (lines.empty()) {
+    lines = text_element(0.5 * (layout.left + layout.right), 0.5 * (layout.top + layout.bottom), kTitleSize, "middle",
+                         "no data");
+  }
+  text += lines;
+  if (chart.series.size() > 1) {
+    text += legend(chart, layout);
+  }
+  return text + "</svg>\n";
+}
+
+}  // namespace knitmech::picture

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "model/frame.h"
+#include "model/model.h"
+#include "picture/camera.h"
+#include "picture/image.h"
+#include "picture/yarn_field.h"
+
+namespace knitmech::picture {
+
+/// How a fabric is drawn.
+struct PictureOptions {
+  int width = 0;      ///< [px]; 0: as the proportions of the fabric ask for
+  int height = 1400;  ///< [px]
+  View view = View::front;
+  Window window{};  ///< part of the fabric that is drawn; yarn that reaches beyond is cut off
+  ColourBy colour_by = ColourBy::plain;
+  /// Values at the ends of the colour bar, in the unit of the field; empty: those of the frame. Give the same for every
+  /// frame of a series.
+  std::optional<std::pair<double, double>> range{};
+  std::string caption{};  ///< a line at the lower left, UTF-8; the scale bar stands beside it
+  int threads = 0;        ///< that draw; 0: as many as the processor has. The picture does not depend on it.
+};
+
+/// Draws the yarns of a frame as smooth, lit tubes in true proportions on a light backdrop, with a scale bar, and a
+/// colour bar if the colours mean a quantity. Ray tracing by Embree on the processor; no display is needed.
+///
+/// The same input gives the same picture, bit by bit. Yarn with positions that are not finite is left out. Throws
+/// InputError if the picture would be smaller than 100 or larger than 20000 px, if range or window is empty or not
+/// finite, or if no yarn can be drawn.
+[[nodiscard]] Image draw_fabric(const model::Model& model, const model::Frame& frame, const PictureOptions& options);
+
+/// The same as a PNG file. Throws FileError with the path and the reason.
+void write_fabric_picture(const std::filesystem::path& path, const model::Model& model, const model::Frame& frame,
+                          const PictureOptions& options = {});
+
+}  // namespace knitmech::picture

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "model/frame.h"
+#include "model/model.h"
+
+namespace knitmech::picture {
+
+/// What the colour of the yarns tells.
+enum class ColourBy {
+  plain,          ///< nothing, one colour
+  course,         ///< neighbouring courses in different colours
+  contact_force,  ///< magnitude of the contact force at the node [N]
+  curvature,      ///< change of curvature since the stress-free shape [1/mm]
+  axial_force,    ///< [N]
+  out_of_plane    ///< position along z [mm]
+};
+
+/// A quantity at the nodes, ready to be shown in colours.
+struct YarnField {
+  std::string label;           ///< with unit, as in "Axial force [N]"
+  std::vector<double> values;  ///< one per node; element quantities are averaged to the nodes
+  double lowest = 0;           ///< ends of the colour bar
+  double highest = 1;
+};
+
+/// The field behind a colouring; empty for plain and course. Without a given range the colours span the finite values
+/// (magnitudes from zero), widened to round numbers.
+[[nodiscard]] std::optional<YarnField> yarn_field(ColourBy colour_by, const model::Model& model,
+                                                  const model::Frame& frame,
+                                                  const std::optional<std::pair<double, double>>& range);
+
+}  // namespace knitmech::picture

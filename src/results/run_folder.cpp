@@ -1,0 +1,160 @@
+#include "results/run_folder.h"
+
+#include <fmt/core.h>
+
+#include <cerrno>
+#include <fstream>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include "base/errors.h"
+#include "results/atomic_file.h"
+#include "results/constants.h"
+#include "results/history_file.h"
+#include "results/quality.h"
+#include "results/summary.h"
+
+namespace knitmech::results {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kCaseFile = "case.toml";
+constexpr const char* kSummaryFile = "summary.json";
+constexpr const char* kHistoryFile = "history.csv";
+constexpr const char* kLogFile = "log.txt";
+constexpr const char* kFramesFolder = "frames";
+constexpr const char* kCollectionFile = "frames.pvd";
+
+[[nodiscard]] FileError folder_error(const fs::path& dir, const std::error_code& code) {
+  return FileError{fmt::format("Cannot write the run folder \"{}\": {}.", dir.string(), code.message())};
+}
+
+bool is_empty_folder(const fs::path& dir) {
+  std::error_code code;
+  const bool empty = fs::is_empty(dir, code);
+  if (code) {
+    throw folder_error(dir, code);
+  }
+  return empty;
+}
+
+void refuse_foreign_folder(const fs::path& dir) {
+  if (!fs::exists(dir)) {
+    return;
+  }
+  if (!fs::is_directory(dir)) {
+    throw InputError(fmt::format("\"{}\" is a file; give a folder for the results.", dir.string()));
+  }
+  if (!is_empty_folder(dir) && !is_summary(dir / kSummaryFile)) {
+    throw InputError(fmt::format(
+        "\"{}\" holds files that are not a KnitMech run; give a new or empty folder for the results.", dir.string()));
+  }
+}
+
+/// frame_0012.vtp, also under its temporary name.
+bool is_frame_file(std::string_view name) {
+  if (name.ends_with(kPartialSuffix)) {
+    name.remove_suffix(kPartialSuffix.size());
+  }
+  constexpr std::string_view kStart = "frame_";
+  constexpr std::string_view kEnd = ".vtp";
+  if (!name.starts_with(kStart) || !name.ends_with(kEnd) || name.size() < kStart.size() + 4 + kEnd.size()) {
+    return false;
+  }
+  name.remove_prefix(kStart.size());
+  name.remove_suffix(kEnd.size());
+  return name.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
+/// Removes a file of ours and what is left of an interrupted write of it.
+void remove_own(const fs::path& path) {
+  fs::path partial = path;
+  partial += kPartialSuffix;
+  fs::remove(path);
+  fs::remove(partial);
+}
+
+void remove_older_run(const fs::path& dir) {
+  for (const char* name : {kHistoryFile, kLogFile, kCaseFile}) {
+    remove_own(dir / name);
+  }
+  const fs::path frames = dir / kFramesFolder;
+  if (!fs::is_directory(frames)) {
+    return;
+  }
+  remove_own(frames / kCollectionFile);
+  std::vector<fs::path> old_frames;
+  for (const fs::directory_entry& entry : fs::directory_iterator(frames)) {
+    if (is_frame_file(entry.path().filename().string())) {
+      old_frames.push_back(entry.path());
+    }
+  }
+  for (const fs::path& file : old_frames) {
+    fs::remove(file);
+  }
+}
+
+}  // namespace
+
+RunFolder::RunFolder(fs::path dir, const std::string& case_toml, model::Model model)
+    : dir_(std::move(dir)), model_(std::move(model)), history_text_(std::string{kHistoryHeader} + "\n") {
+  try {
+    refuse_foreign_folder(dir_);
+    fs::create_directories(dir_);
+    // The summary goes first: it marks the folder as ours even if the program is killed before the next file.
+    write_file_atomically(dir_ / kSummaryFile, running_summary(model_));
+    remove_older_run(dir_);
+    fs::create_directories(dir_ / kFramesFolder);
+  } catch (const fs::filesystem_error& error) {
+    throw folder_error(dir_, error.code());
+  }
+  write_file_atomically(dir_ / kCaseFile, case_toml);
+  write_file_atomically(dir_ / kFramesFolder / kCollectionFile, collection_text(frames_));
+  write_history();
+}
+
+void RunFolder::add_history(const model::HistoryRow& row) {
+  history_.push_back(row);
+  history_text_ += history_line(row);
+  const std::chrono::duration<double> age = std::chrono::steady_clock::now() - history_written_;
+  if (age.count() >= kHistoryRewriteInterval) {
+    write_history();
+  }
+}
+
+void RunFolder::add_frame(const model::Frame& frame) {
+  const fs::path folder = dir_ / kFramesFolder;
+  write_file_atomically(folder / frame_file_name(frame.index), frame_text(model_, frame));
+  frames_.push_back({frame.index, frame.history.strain});
+  write_file_atomically(folder / kCollectionFile, collection_text(frames_));
+  write_history();
+}
+
+void RunFolder::log(const std::string& line) {
+  const fs::path path = dir_ / kLogFile;
+  errno = 0;
+  std::ofstream file(path, std::ios::app | std::ios::binary);
+  file << line + "\n";
+  file.close();
+  if (!file) {
+    const std::error_code code(errno != 0 ? errno : EIO, std::generic_category());
+    throw FileError(fmt::format("Cannot write \"{}\": {}.", path.string(), code.message()));
+  }
+}
+
+void RunFolder::finish(const model::RunOutcome& outcome) {
+  write_history();
+  const double diameter = model_.sections.empty() ? 0.0 : model_.sections.front().diameter;
+  const Quality quality = assess_quality(history_, outcome, diameter);
+  write_file_atomically(dir_ / kSummaryFile,
+                        finished_summary(model_, history_, static_cast<int>(frames_.size()), outcome, quality));
+}
+
+void RunFolder::write_history() {
+  write_file_atomically(dir_ / kHistoryFile, history_text_);
+  history_written_ = std::chrono::steady_clock::now();
+}
+
+}  // namespace knitmech::results

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "model/frame.h"
+#include "model/model.h"
+#include "model/run_outcome.h"
+#include "results/frame_file.h"
+
+namespace knitmech::results {
+
+/// The folder of one run, written while the simulation goes on (docs/results.md):
+///
+///     case.toml summary.json history.csv log.txt frames/frames.pvd frames/frame_0000.vtp ...
+///
+/// A reader never sees a half file: every file is written under another name and renamed, except log.txt, which grows
+/// by whole lines. summary.json says "running" until finish(). A killed run keeps its frames and all history but that
+/// of the last second (kHistoryRewriteInterval).
+///
+/// All members throw FileError with the path and the reason if a file cannot be written.
+class RunFolder {
+ public:
+  /// Makes the folder, with its parents, or takes over the folder of an older run, from which the files listed above
+  /// are removed and nothing else.
+  ///
+  /// Throws InputError, without touching anything, if dir is a file, or a folder with something in it that is not a
+  /// KnitMech run folder (recognised by its summary.json).
+  RunFolder(std::filesystem::path dir, const std::string& case_toml, model::Model model);
+
+  /// Keeps a row of the history; history.csv is rewritten at most once per kHistoryRewriteInterval.
+  void add_history(const model::HistoryRow& row);
+
+  /// Writes the frame and the list of frames, and history.csv up to here.
+  void add_frame(const model::Frame& frame);
+
+  /// Appends a line to log.txt.
+  void log(const std::string& line);
+
+  /// Writes the whole history and the summary with its quality block (assess_quality()).
+  void finish(const model::RunOutcome& outcome);
+
+  [[nodiscard]] const std::filesystem::path& path() const { return dir_; }
+  [[nodiscard]] const std::vector<model::HistoryRow>& history() const { return history_; }
+
+ private:
+  void write_history();
+
+  std::filesystem::path dir_;
+  model::Model model_;
+  std::vector<model::HistoryRow> history_;
+  std::string history_text_;
+  std::vector<FrameEntry> frames_;
+  std::chrono::steady_clock::time_point history_written_;
+};
+
+}  // namespace knitmech::results

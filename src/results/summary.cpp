@@ -1,0 +1,150 @@
+#include "results/summary.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "results/atomic_file.h"
+
+namespace knitmech::results {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using model::HistoryRow;
+using model::Model;
+using model::RunOutcome;
+using model::RunStatus;
+
+constexpr const char* kFormat = "knitmech-run";
+
+/// Doubles that are not finite become null when the document is written (nlohmann-json's rule for JSON without NaN).
+Json number(std::optional<double> value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
+std::string text_of(const Json& document) {
+  return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+const char* status_name(RunStatus status) {
+  switch (status) {
+    case RunStatus::completed:
+      return "completed";
+    case RunStatus::interrupted:
+      return "interrupted";
+    case RunStatus::failed:
+      return "failed";
+  }
+  return "unknown";
+}
+
+Json head(const Model& model, const char* status) {
+  return {{"format", kFormat},
+          {"schema", kSummarySchema},
+          {"program_version", KNITMECH_VERSION},
+          {"title", model.title},
+          {"status", status}};
+}
+
+Json model_block(const Model& model) {
+  return {{"yarns", model.yarns.size()},
+          {"nodes", model.n_nodes()},
+          {"elements", model.n_elements()},
+          {"degrees_of_freedom", 6 * static_cast<long>(model.n_nodes())},
+          {"gauge_length_mm", number(model.test.gauge_length)},
+          {"friction", number(model.friction)},
+          {"contact_stiffness_N_per_mm", number(model.contact_stiffness)}};
+}
+
+Json solver_block(const Model& model, const RunOutcome& outcome) {
+  const double element_steps = static_cast<double>(model.n_elements()) * static_cast<double>(outcome.steps);
+  return {
+      {"mass_scaling", number(outcome.mass_scaling)},
+      {"steps", outcome.steps},
+      {"smallest_step_s", number(outcome.smallest_step)},
+      {"simulated_time_s", number(outcome.time)},
+      {"wall_s", number(outcome.wall_seconds)},
+      {"element_steps_per_s", outcome.wall_seconds > 0 ? number(element_steps / outcome.wall_seconds) : Json(nullptr)}};
+}
+
+Json final_block(const std::vector<HistoryRow>& history, const RunOutcome& outcome) {
+  Json block{{"strain", number(outcome.strain)}};
+  const std::optional<HistoryRow> row = history.empty() ? std::nullopt : std::optional{history.back()};
+  const auto add = [&](const char* key, double HistoryRow::*member) {
+    block[key] = row ? number((*row).*member) : Json(nullptr);
+  };
+  add("displacement_mm", &HistoryRow::displacement);
+  add("force_top_N", &HistoryRow::force_top);
+  add("force_bottom_N", &HistoryRow::force_bottom);
+  add("external_work_mJ", &HistoryRow::external_work);
+  add("internal_energy_mJ", &HistoryRow::internal_energy);
+  add("friction_loss_mJ", &HistoryRow::friction_loss);
+  add("damping_loss_mJ", &HistoryRow::damping_loss);
+  add("width_mm", &HistoryRow::width);
+  return block;
+}
+
+Json largest_block(const std::vector<HistoryRow>& history, const RunOutcome& outcome) {
+  const auto largest = [&](auto member) -> Json {
+    if (history.empty()) {
+      return nullptr;
+    }
+    const auto row = std::max_element(history.begin(), history.end(),
+                                      [&](const HistoryRow& a, const HistoryRow& b) { return a.*member < b.*member; });
+    return (*row).*member;
+  };
+  return {{"force_top_N", largest(&HistoryRow::force_top)},
+          {"force_bottom_N", largest(&HistoryRow::force_bottom)},
+          {"kinetic_energy_mJ", largest(&HistoryRow::kinetic_energy)},
+          {"contacts", largest(&HistoryRow::contacts)},
+          {"penetration_mm", number(outcome.largest_penetration)}};
+}
+
+Json quality_block(const Quality& quality) {
+  return {{"quasi_static", quality.quasi_static},
+          {"verdict", quality.verdict},
+          {"toe_strain", number(quality.toe_strain)},
+          {"kinetic_ratio", number(quality.kinetic_ratio)},
+          {"kinetic_ratio_strain", number(quality.kinetic_ratio_strain)},
+          {"energy_balance_end", number(quality.energy_balance_end)},
+          {"energy_balance", number(quality.energy_balance)},
+          {"energy_balance_strain", number(quality.energy_balance_strain)},
+          {"grip_difference", number(quality.grip_difference)},
+          {"grip_difference_strain", number(quality.grip_difference_strain)},
+          {"penetration_mm", number(quality.penetration)},
+          {"penetration_ratio", number(quality.penetration_ratio)},
+          {"lost_crossings", quality.lost_crossings},
+          {"crossings_kept", quality.lost_crossings == 0}};
+}
+
+}  // namespace
+
+std::string running_summary(const Model& model) {
+  Json document = head(model, "running");
+  document["model"] = model_block(model);
+  return text_of(document);
+}
+
+std::string finished_summary(const Model& model, const std::vector<HistoryRow>& history, int n_frames,
+                             const RunOutcome& outcome, const Quality& quality) {
+  Json document = head(model, status_name(outcome.status));
+  document["reason"] = outcome.reason;
+  document["advice"] = outcome.advice;
+  document["model"] = model_block(model);
+  document["output"] = {{"history_rows", history.size()}, {"frames", n_frames}};
+  document["solver"] = solver_block(model, outcome);
+  document["final"] = final_block(history, outcome);
+  document["largest"] = largest_block(history, outcome);
+  document["quality"] = quality_block(quality);
+  return text_of(document);
+}
+
+bool is_summary(const std::filesystem::path& path) {
+  if (!std::filesystem::is_regular_file(path)) {
+    return false;
+  }
+  const Json document = Json::parse(read_file(path), nullptr, /*allow_exceptions=*/false);
+  return document.is_object() && document.value("format", Json{}) == kFormat;
+}
+
+}  // namespace knitmech::results

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "model/frame.h"
+#include "model/model.h"
+#include "model/run_outcome.h"
+#include "results/quality.h"
+
+namespace knitmech::results {
+
+/// Raised when summary.json changes in a way that an older reader would misunderstand.
+inline constexpr int kSummarySchema = 1;
+
+/// The content of summary.json while a run is under way: what is known of the model, status "running". It also marks
+/// the folder as a run folder.
+[[nodiscard]] std::string running_summary(const model::Model& model);
+
+/// The content of summary.json of a finished run (docs/results.md). Numbers that are not finite or do not exist are
+/// null. Text that is not valid UTF-8 is written with replacement characters.
+[[nodiscard]] std::string finished_summary(const model::Model& model, const std::vector<model::HistoryRow>& history,
+                                           int n_frames, const model::RunOutcome& outcome, const Quality& quality);
+
+/// Whether a file is the summary.json of a KnitMech run; false also if it does not exist or is no JSON.
+[[nodiscard]] bool is_summary(const std::filesystem::path& path);
+
+}  // namespace knitmech::results

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <optional>
+
+#include "beam/elements.h"
+#include "beam/internal_force.h"
+#include "beam/nodal_inertia.h"
+#include "contact/yarn_contact.h"
+#include "model/frame.h"
+#include "model/model.h"
+#include "solve/grips.h"
+#include "solve/integrate.h"
+
+namespace knitmech::solve {
+
+/// What the solver needs to be told besides the model.
+struct ExplicitSettings {
+  double mass_scaling = 1;    ///< [-]
+  double bulk_viscosity = 0;  ///< [-]
+  double mass_damping = 0;    ///< [1/s]
+  double step_factor = 1;     ///< [-]
+};
+
+/// Steps a model through time by central differences (leapfrog), with beams, contact and grips.
+///
+/// In every step: forces of the beams, forces of the contact, reactions of the grips, then velocities and positions.
+class ExplicitSolver {
+ public:
+  ExplicitSolver(const model::Model& model, const ExplicitSettings& settings);
+
+  void step();
+
+  /// Evaluates all forces at the present positions without moving; after it, history() and frame() are up to date.
+  void evaluate();
+
+  [[nodiscard]] double time() const { return state_.time; }
+  [[nodiscard]] long steps() const { return steps_; }
+  /// Time step in use [s].
+  [[nodiscard]] double step_length() const { return step_in_use_; }
+  [[nodiscard]] double first_step() const { return first_step_; }
+  /// False once any velocity is infinite or not a number.
+  [[nodiscard]] bool is_finite() const { return is_finite_; }
+  [[nodiscard]] const std::optional<contact::LostCrossing>& lost_crossing() const { return contact_.lost_crossing(); }
+  [[nodiscard]] double largest_penetration() const { return largest_penetration_; }
+  [[nodiscard]] const model::State& state() const { return state_; }
+
+  /// Energies and forces at the present time; see HistoryRow. Forces of the grips are means since the call before.
+  [[nodiscard]] model::HistoryRow history();
+  [[nodiscard]] model::Frame frame(int index, const model::HistoryRow& row) const;
+
+ private:
+  void compute_forces();
+  void look_at_stable_step();
+  [[nodiscard]] double stable_step_for(double contact_frequency_squared) const;
+  [[nodiscard]] double width() const;
+
+  const model::Model& model_;
+  ExplicitSettings settings_;
+  beam::Elements elements_;
+  beam::NodalInertia inertia_;
+  beam::ElementWork work_;
+  contact::YarnContact contact_;
+  Grips grips_;
+  model::State state_;
+  model::NodalLoads loads_;
+  StepLengths step_;
+  double smallest_radius_ = 0;               ///< [mm]
+  double step_in_use_ = 0, first_step_ = 0;  ///< [s]
+  int calm_looks_ = 0;                       ///< looks since the step could have grown
+  double mass_damping_loss_ = 0;
+  double largest_penetration_ = 0;
+  double impulse_top_ = 0, impulse_bottom_ = 0, impulse_time_ = 0;  ///< [N s], [s], since the last history row
+  bool forces_are_current_ = false;
+  bool is_finite_ = true;
+  long steps_ = 0;
+};
+
+}  // namespace knitmech::solve

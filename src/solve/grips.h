@@ -1,0 +1,38 @@
+#pragma once
+
+#include <vector>
+
+#include "beam/nodal_inertia.h"
+#include "model/model.h"
+#include "model/state.h"
+#include "solve/integrate.h"
+
+namespace knitmech::solve {
+
+/// The two grips of a tensile test, as forces: in every step they load their nodes with just what keeps these on
+/// course, so the reaction of the fabric is known without a second evaluation.
+class Grips {
+ public:
+  explicit Grips(const model::Model& model);
+
+  /// Replaces the loads on the held and driven nodes by those that give them the prescribed motion in the coming step.
+  void apply(const beam::NodalInertia& inertia, StepLengths step, double mass_damping, const model::State& state,
+             model::NodalLoads& loads);
+
+  /// Sets the loads in all held and driven directions to zero.
+  void clear_loads(model::NodalLoads& loads) const;
+
+  /// Pull of the driven grip along y at the last call [N].
+  [[nodiscard]] double force_top() const { return force_top_; }
+  /// Pull of the held grip against y at the last call [N].
+  [[nodiscard]] double force_bottom() const { return force_bottom_; }
+  /// Work of the driven grip since the start [mJ].
+  [[nodiscard]] double work() const { return work_; }
+
+ private:
+  model::TensileTest test_;
+  std::vector<int> held_, driven_;
+  double force_top_ = 0, force_bottom_ = 0, work_ = 0;
+};
+
+}  // namespace knitmech::solve

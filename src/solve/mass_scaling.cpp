@@ -1,0 +1,17 @@
+#include "solve/mass_scaling.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "solve/constants.h"
+
+namespace knitmech::solve {
+
+double automatic_mass_scaling(const model::Model& model) {
+  const yarn::Section& section = model.sections.front();
+  const double bending_speed =
+      std::sqrt(section.bending_stiffness / section.mass_per_length) / model.half_stitch_length;
+  return std::max(1.0, std::pow(kQuasiStaticSpeed * bending_speed / model.test.speed, 2));
+}
+
+}  // namespace knitmech::solve

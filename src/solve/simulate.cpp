@@ -1,0 +1,190 @@
+#include "solve/simulate.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "solve/constants.h"
+#include "solve/explicit_solver.h"
+#include "solve/mass_scaling.h"
+
+namespace knitmech::solve {
+
+namespace {
+
+/// A time at which something is to be reported.
+struct Event {
+  double time;
+  bool with_frame;
+};
+
+std::vector<Event> schedule(const model::TensileTest& test, const SimulationSettings& settings) {
+  std::vector<Event> events;
+  for (int i = 1; i <= settings.history_points; ++i) {
+    events.push_back({test.time_at(test.strain * i / settings.history_points), i == settings.history_points});
+  }
+  for (const double strain : settings.frames_at) {
+    if (strain < test.strain) events.push_back({test.time_at(strain), true});
+  }
+  std::sort(events.begin(), events.end(), [](Event a, Event b) { return a.time < b.time; });
+
+  // Times that agree up to rounding are one event.
+  std::vector<Event> merged;
+  const double same = 1e-9 * test.time_at(test.strain);
+  for (const Event event : events) {
+    if (!merged.empty() && event.time - merged.back().time < same) {
+      merged.back().with_frame = merged.back().with_frame || event.with_frame;
+    } else {
+      merged.push_back(event);
+    }
+  }
+  return merged;
+}
+
+struct Failure {
+  std::string reason, advice;
+};
+
+std::string place_of(const model::Model& model, std::int32_t element) {
+  for (const model::ModelYarn& yarn : model.yarns) {
+    if (element >= yarn.first_node && element < yarn.first_node + yarn.n_nodes) {
+      return fmt::format("course {}, node {} of {}", yarn.course + 1, element - yarn.first_node + 1, yarn.n_nodes);
+    }
+  }
+  return fmt::format("node {}", element + 1);
+}
+
+/// What went wrong, if anything, in the step just done.
+std::optional<Failure> failure_in_step(const model::Model& model, const ExplicitSolver& solver) {
+  const bool collapsed = solver.step_length() < kStepCollapse * solver.first_step();
+  if (solver.is_finite() && !solver.lost_crossing() && !collapsed) return std::nullopt;
+
+  const double strain = model.test.displacement(solver.time()) / model.test.gauge_length;
+  const std::string when =
+      fmt::format("at {:.2f} % strain ({:.6g} s, step {})", 100 * strain, solver.time(), solver.steps());
+  if (!solver.is_finite()) {
+    return Failure{fmt::format("A velocity stopped being a number {}.", when),
+                   "Try a smaller solver.step_factor, or less solver.mass_scaling."};
+  }
+  if (const auto& lost = solver.lost_crossing()) {
+    return Failure{fmt::format("A yarn went through another {}: {} and {}, near ({:.3f}, {:.3f}, {:.3f}) mm.", when,
+                               place_of(model, lost->first), place_of(model, lost->second), lost->place.x,
+                               lost->place.y, lost->place.z),
+                   "Try a larger contact.stiffness, a smaller test.speed, or less solver.mass_scaling."};
+  }
+  return Failure{fmt::format("The stable time step fell to {:.3g} s {}, from {:.3g} s at the start.",
+                             solver.step_length(), when, solver.first_step()),
+                 "Yarns are pressed together or thrown about too hard: try a smaller test.speed, less "
+                 "solver.mass_scaling, or end the test at a smaller test.strain."};
+}
+
+/// Whether more energy is in the fabric than was ever put in.
+std::optional<Failure> failure_in_balance(const model::Model& model, const model::HistoryRow& row) {
+  const double held =
+      row.internal_energy + row.kinetic_energy + row.contact_energy + row.friction_loss + row.damping_loss;
+  const yarn::Section& section = model.sections.front();
+  const double noise = kEnergyNoise * section.bending_stiffness / section.diameter;
+  if (std::isfinite(held) && held <= kEnergyBlowUp * std::abs(row.external_work) + noise) return std::nullopt;
+  return Failure{
+      fmt::format("The energy balance broke at {:.2f} % strain ({:.6g} s): {:.4g} mJ are in the fabric, but only "
+                  "{:.4g} mJ were put in.",
+                  100 * row.strain, row.time, held, row.external_work),
+      "Try a smaller solver.step_factor, a smaller test.speed, or less solver.mass_scaling."};
+}
+
+class Run {
+ public:
+  Run(const model::Model& model, const SimulationSettings& settings, const SimulationCallbacks& callbacks)
+      : model_(model),
+        callbacks_(callbacks),
+        events_(schedule(model.test, settings)),
+        mass_scaling_(settings.mass_scaling ? *settings.mass_scaling : automatic_mass_scaling(model)),
+        solver_(model, {mass_scaling_, settings.bulk_viscosity, settings.mass_damping, settings.step_factor}) {}
+
+  model::RunOutcome run() {
+    const auto start = std::chrono::steady_clock::now();
+    outcome_.mass_scaling = mass_scaling_;
+    outcome_.smallest_step = solver_.first_step();
+    report(true);
+    for (const Event& event : events_) {
+      if (!advance_to(event.time)) {
+        report(true);
+        break;
+      }
+      report(event.with_frame);
+      if (const auto failure = failure_in_balance(model_, latest_)) {
+        fail(*failure);
+        if (!event.with_frame) report_frame();
+        break;
+      }
+    }
+    outcome_.time = solver_.time();
+    outcome_.strain = latest_.strain;
+    outcome_.steps = solver_.steps();
+    outcome_.largest_penetration = solver_.largest_penetration();
+    outcome_.lost_crossings = solver_.lost_crossing() ? 1 : 0;
+    outcome_.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return outcome_;
+  }
+
+ private:
+  void report(bool with_frame) {
+    latest_ = solver_.history();
+    if (callbacks_.on_history) callbacks_.on_history(latest_);
+    if (with_frame) report_frame();
+  }
+
+  void report_frame() {
+    if (callbacks_.on_frame) callbacks_.on_frame(solver_.frame(n_frames_, latest_));
+    ++n_frames_;
+  }
+
+  void fail(const Failure& failure) {
+    outcome_.status = model::RunStatus::failed;
+    outcome_.reason = failure.reason;
+    outcome_.advice = failure.advice;
+  }
+
+  /// Steps to the first instant that is not before a time; false if the run has to end before. Steps are not cut to hit
+  /// the time: see ExplicitSolver::look_at_stable_step().
+  bool advance_to(double time) {
+    while (solver_.time() < time) {
+      solver_.step();
+      outcome_.smallest_step = std::min(outcome_.smallest_step, solver_.step_length());
+      if (const auto failure = failure_in_step(model_, solver_)) {
+        fail(*failure);
+        return false;
+      }
+      if (solver_.steps() % kAskInterval == 0 && callbacks_.keep_going && !callbacks_.keep_going(latest_)) {
+        outcome_.status = model::RunStatus::interrupted;
+        return false;
+      }
+    }
+    return true;
+  }
+
+  const model::Model& model_;
+  const SimulationCallbacks& callbacks_;
+  std::vector<Event> events_;
+  double mass_scaling_;
+  ExplicitSolver solver_;
+  model::HistoryRow latest_;
+  model::RunOutcome outcome_;
+  int n_frames_ = 0;
+};
+
+}  // namespace
+
+SimulationSettings settings_from(const model::Case& input) {
+  return {input.solver.mass_scaling, input.solver.bulk_viscosity, input.solver.mass_damping,
+          input.solver.step_factor,  input.output.frames_at,      input.output.history_points};
+}
+
+model::RunOutcome simulate(const model::Model& model, const SimulationSettings& settings,
+                           const SimulationCallbacks& callbacks) {
+  return Run(model, settings, callbacks).run();
+}
+
+}  // namespace knitmech::solve

@@ -1,0 +1,58 @@
+# knitmech run: the run folder.
+. "$(dirname "$0")/expect.sh" "$@"
+tiny_case tiny.toml
+
+# The results lie in results/<name of the case>.
+knitmech run tiny.toml
+expect_code 0
+expect_in out "120 elements, 122 nodes, 732 degrees of freedom" "loop length" "mass scaling" "Quality:" "results/tiny"
+expect_in out "100 %"
+expect_empty err
+for file in case.toml summary.json history.csv frames/frames.pvd frames/frame_0002.vtp pictures/force-strain.svg \
+  pictures/frame_0002.png; do
+  expect_file "results/tiny/$file"
+done
+expect_in results/tiny/summary.json '"status": "completed"'
+[ "$(wc -l <results/tiny/history.csv)" -eq 22 ] || failed "history.csv has $(wc -l <results/tiny/history.csv) lines, not 22"
+
+# The case of the run folder has all defaults filled in and gives the same run, into the same folder.
+expect_in results/tiny/case.toml 'step_factor = 0.9' 'out_of_plane = "auto"'
+cp results/tiny/history.csv first.csv
+cp results/tiny/case.toml first.toml
+knitmech run results/tiny/case.toml --no-pictures
+expect_code 0
+expect_in out "replaces the run that is there"
+expect_same results/tiny/history.csv first.csv
+expect_same results/tiny/case.toml first.toml
+# Pictures of the earlier run do not stay beside results that they do not show.
+expect_no_file results/tiny/pictures
+
+# A case called case.toml is named by its folder.
+mkdir -p jersey
+cp tiny.toml jersey/case.toml
+knitmech run jersey/case.toml --no-pictures --quiet
+expect_code 0
+expect_empty out
+expect_file results/jersey/history.csv
+expect_no_file results/jersey/pictures
+
+# Another folder can be asked for; --json gives the summary.
+knitmech run tiny.toml -o some/where --json --no-pictures
+expect_code 0
+expect_in out '"status": "completed"' '"folder": "some/where"' '"quasi_static"'
+expect_same some/where/history.csv first.csv
+
+# A folder that is no run folder is never touched.
+mkdir mine
+echo "mine" >mine/notes.txt
+knitmech run tiny.toml -o mine
+[ "$CODE" -ne 0 ] || failed "a folder with other files was taken"
+expect_in err "knitmech: error:" "mine"
+[ "$(ls mine)" = "notes.txt" ] || failed "a folder with other files was changed"
+
+# A wrong case leaves an earlier run as it was.
+sed -i 's/^friction = 0.1/friction = -1/' tiny.toml
+knitmech run tiny.toml
+expect_code 2
+expect_same results/tiny/history.csv first.csv
+finish

@@ -1,0 +1,153 @@
+#include "contact/yarn_contact.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "../../support/beam_case.h"
+#include "contact/normal_law.h"
+
+namespace knitmech::contact {
+namespace {
+
+constexpr double kDiameter = 0.12;   // mm
+constexpr double kStiffness = 16.0;  // N/mm
+
+model::Model model_of(const std::vector<std::vector<Eigen::Vector3d>>& yarns, double friction) {
+  model::Model model = test::yarns_through(yarns, test::section(19, 6, 0.017, 0.012, 1e-11, kDiameter));
+  model.friction = friction;
+  model.contact_stiffness = kStiffness;
+  return model;
+}
+
+model::NodalLoads loads_of(YarnContact& contact, const model::State& state, double step = 0.0) {
+  model::NodalLoads loads(state.position.size());
+  contact.add_forces(state, step, loads);
+  return loads;
+}
+
+/// Two yarns that cross at right angles, one above the other, at the given distance of their centrelines.
+model::Model crossing(double distance, double friction) {
+  return model_of(
+      {test::straight({-1, 0, 0}, {1, 0.1, 0}, 3), test::straight({0.1, -1, distance}, {0, 1, distance}, 3)}, friction);
+}
+
+TEST(YarnContact, GivenTwoCrossingYarnsThatOverlap_ThenEachIsPushedAwayByTheNormalLaw) {
+  const double penetration = 0.01;
+  const model::Model model = crossing(kDiameter - penetration, 0.0);
+  YarnContact contact(make_contact_elements(model));
+  const model::NodalLoads loads = loads_of(contact, test::state_of(model));
+  const double expected = kStiffness * normal_force(penetration, kDiameter);
+  double lower = 0;
+  double upper = 0;
+  for (std::size_t i = 0; i < 4; ++i) lower += loads.force.z[i];
+  for (std::size_t i = 4; i < 8; ++i) upper += loads.force.z[i];
+  EXPECT_NEAR(upper, expected, 1e-12);
+  EXPECT_NEAR(lower, -expected, 1e-12);
+  EXPECT_EQ(contact.n_contacts(), 1);
+  EXPECT_NEAR(contact.largest_penetration(), penetration, 1e-14);
+  EXPECT_NEAR(contact.energy(), kStiffness * normal_energy(penetration, kDiameter), 1e-15);
+}
+
+TEST(YarnContact, GivenTwoYarnsThatDoNotTouch_ThenThereIsNoForce) {
+  const model::Model model = crossing(1.001 * kDiameter, 0.3);
+  YarnContact contact(make_contact_elements(model));
+  const model::NodalLoads loads = loads_of(contact, test::state_of(model));
+  for (std::size_t i = 0; i < 8; ++i) EXPECT_EQ(loads.force.z[i], 0.0);
+}
+
+TEST(YarnContact, GivenAMovingYarn_ThenThePullOnItIsMuTimesThePressureAndTheLossIsItsWork) {
+  const double mu = 0.3;
+  const double penetration = 0.01;
+  const model::Model model = crossing(kDiameter - penetration, mu);
+  YarnContact contact(make_contact_elements(model));
+  model::State state = test::state_of(model);
+  for (std::size_t i = 4; i < 8; ++i) state.velocity.x[i] = 2.0;  // mm/s
+  const double step = 0.05;
+  const model::NodalLoads loads = loads_of(contact, state, step);
+  const double pressure = kStiffness * normal_force(penetration, kDiameter);
+  double pull = 0;
+  for (std::size_t i = 4; i < 8; ++i) pull += loads.force.x[i];
+  EXPECT_NEAR(pull, -mu * pressure, 1e-12);
+  const double elastic = mu * pressure / kStiffness;
+  EXPECT_NEAR(contact.friction_loss(), mu * pressure * (2.0 * step - elastic), 1e-12);
+}
+
+TEST(YarnContact, GivenRandomTangles_ThenTheLoadsAreTheNegativeDerivativeOfTheEnergyAndInBalance) {
+  std::mt19937 random(23);
+  std::normal_distribution<double> normal(0, 0.25);
+  for (int trial = 0; trial < 20; ++trial) {
+    std::vector<std::vector<Eigen::Vector3d>> yarns(3);
+    for (auto& yarn : yarns) {
+      yarn.push_back({-2, normal(random), normal(random)});
+      for (int i = 1; i <= 8; ++i) yarn.push_back({-2 + 0.5 * i, normal(random), normal(random)});
+    }
+    const model::Model model = model_of(yarns, 0.0);
+    YarnContact contact(make_contact_elements(model));
+    const model::State state = test::state_of(model);
+    const model::NodalLoads loads = loads_of(contact, state);
+    Eigen::Vector3d force = Eigen::Vector3d::Zero();
+    Eigen::Vector3d moment = Eigen::Vector3d::Zero();
+    const double h = 1e-7;
+    for (std::size_t node = 0; node < model.nodes.size(); ++node) {
+      const Eigen::Vector3d nodal = test::vector_at(loads.force, node);
+      force += nodal;
+      moment += model.nodes[node].cross(nodal);
+      for (int axis = 0; axis < 3; ++axis) {
+        double energy[2];
+        for (const int side : {0, 1}) {
+          model::State moved = state;
+          const Eigen::Vector3d shift = (side == 0 ? h : -h) * Eigen::Vector3d::Unit(axis);
+          moved.position.add(node, {shift.x(), shift.y(), shift.z()});
+          YarnContact fresh(make_contact_elements(model));
+          loads_of(fresh, moved);
+          energy[side] = fresh.energy();
+        }
+        EXPECT_NEAR(nodal[axis], -(energy[0] - energy[1]) / (2 * h), 1e-5 * (1 + nodal.norm()));
+      }
+    }
+    EXPECT_LT(force.norm(), 1e-11);
+    EXPECT_LT(moment.norm(), 1e-11);
+  }
+}
+
+TEST(YarnContact, GivenYarnsThatMoveFar_ThenTheNeighbourListIsRenewedInTime) {
+  const model::Model model = crossing(5.0, 0.0);
+  YarnContact contact(make_contact_elements(model));
+  model::State state = test::state_of(model);
+  for (int i = 0; i <= 490; ++i) {
+    loads_of(contact, state);
+    for (std::size_t node = 4; node < 8; ++node) state.position.z[node] -= 0.01;
+  }
+  EXPECT_EQ(contact.n_contacts(), 1);
+  EXPECT_GT(contact.searches(), 10);
+  EXPECT_LT(contact.searches(), 491);
+}
+
+TEST(YarnContact, GivenAYarnThatIsPutOnTheOtherSide_ThenTheLostCrossingIsReportedWithItsPlace) {
+  const model::Model model = crossing(0.01, 0.0);
+  YarnContact contact(make_contact_elements(model));
+  model::State state = test::state_of(model);
+  loads_of(contact, state);
+  EXPECT_FALSE(contact.lost_crossing().has_value());
+  for (std::size_t node = 4; node < 8; ++node) state.position.z[node] = -0.01;
+  loads_of(contact, state);
+  ASSERT_TRUE(contact.lost_crossing().has_value());
+  EXPECT_EQ(contact.lost_crossing()->first, 1);
+  EXPECT_EQ(contact.lost_crossing()->second, 5);
+}
+
+TEST(YarnContact, GivenAContact_ThenItsStiffnessOverTheMassBoundsTheFrequency) {
+  const double penetration = 0.01;
+  const model::Model model = crossing(kDiameter - penetration, 0.0);
+  YarnContact contact(make_contact_elements(model));
+  loads_of(contact, test::state_of(model));
+  const double mass = 2e-9;
+  // Both yarns rigid, each with the mass of its nodes: w^2 = k (1 / m_a + 1 / m_b), of which the bound must not fall
+  // short.
+  const double tangent = kStiffness * normal_tangent(penetration, kDiameter);
+  EXPECT_GE(contact.highest_frequency_squared(std::vector<double>(8, mass)), tangent * 2 / (4 * mass));
+}
+
+}  // namespace
+}  // namespace knitmech::contact

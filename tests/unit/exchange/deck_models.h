@@ -1,0 +1,57 @@
+#pragma once
+
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "exchange/abaqus_reader.h"
+#include "exchange/abaqus_writer.h"
+#include "model/build_model.h"
+
+namespace knitmech::exchange {
+
+/// A monofilament fabric of the loop of the main example, N10, mu 0.1, clamped, 22 % at 5 mm/s after a ramp of 0.5 s.
+inline model::Case fabric_case(int wales, int courses) {
+  model::Case input;
+  input.title = "Monofilament jersey, wale-wise tension";
+  input.loop = {7.0, 3.9, 0.2, 1.1, 0.2, 1.0, 0.02};
+  input.fabric = {wales, courses, 5.0, knit::Structure::basic, 10};
+  input.yarn.diameter = 0.12;
+  input.yarn.density = 1.14e-9;
+  input.yarn.youngs_modulus = 1700;
+  input.yarn.poissons_ratio = 0.39;
+  input.contact.friction = 0.1;
+  input.test = {model::TestKind::wale_tension, 0.22, 5.0, 0.5, model::Grips::clamped};
+  return input;
+}
+
+/// A small fabric of a multifilament yarn, EA, EI and GJ given outright: far softer in bending than a solid circle.
+inline model::Case measured_yarn_case() {
+  model::Case input = fabric_case(3, 2);
+  input.yarn.youngs_modulus.reset();
+  input.yarn.poissons_ratio.reset();
+  input.yarn.axial_stiffness = 19.0;
+  input.yarn.bending_stiffness = 5e-6;
+  input.yarn.torsional_stiffness = 4e-6;
+  return input;
+}
+
+inline std::string deck_text(const model::Model& model, const AbaqusOptions& options = {}) {
+  std::ostringstream out;
+  write_abaqus(out, model, options);
+  return out.str();
+}
+
+inline AbaqusDeck deck_of(const std::string& text) {
+  std::istringstream in(text);
+  return read_abaqus(in, "deck.inp");
+}
+
+inline std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  return lines;
+}
+
+}  // namespace knitmech::exchange

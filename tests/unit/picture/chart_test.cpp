@@ -1,0 +1,157 @@
+#include "picture/chart.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <regex>
+#include <sstream>
+#include <stdexcept>
+#include <vector>
+
+namespace knitmech::picture {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+struct Place {
+  double x, y;
+};
+
+/// The points of every polyline of an SVG text.
+std::vector<std::vector<Place>> polylines(const std::string& svg) {
+  std::vector<std::vector<Place>> lines;
+  static const std::regex kPolyline{"<polyline points=\"([^\"]*)\""};
+  for (auto it = std::sregex_iterator(svg.begin(), svg.end(), kPolyline); it != std::sregex_iterator(); ++it) {
+    std::istringstream points((*it)[1].str());
+    std::vector<Place> line;
+    Place place{};
+    char comma = ' ';
+    while (points >> place.x >> comma >> place.y) {
+      line.push_back(place);
+    }
+    lines.push_back(line);
+  }
+  return lines;
+}
+
+/// Whether every tag is closed in order and no bare & is left.
+bool is_well_formed(const std::string& xml) {
+  static const std::regex kTag{R"re(<(/?)([A-Za-z?][\w]*)((?:\s+[\w:.-]+="[^"<]*")*)\s*(/?|\?)>)re"};
+  static const std::regex kBareAmpersand{"&(?!amp;|lt;|gt;|quot;)"};
+  std::vector<std::string> open;
+  std::size_t tags = 0;
+  for (auto it = std::sregex_iterator(xml.begin(), xml.end(), kTag); it != std::sregex_iterator(); ++it, ++tags) {
+    const bool closes = (*it)[1].length() > 0;
+    if (closes && (open.empty() || open.back() != (*it)[2])) {
+      return false;
+    }
+    if (closes) {
+      open.pop_back();
+    } else if ((*it)[4].length() == 0) {
+      open.push_back((*it)[2]);
+    }
+  }
+  const auto brackets = static_cast<std::size_t>(std::count(xml.begin(), xml.end(), '<'));
+  return open.empty() && tags == brackets && !std::regex_search(xml, kBareAmpersand);
+}
+
+Chart wavy_chart() {
+  Chart chart{.title = "title", .x_label = "Strain [%]", .y_label = "Force [N]"};
+  for (int s = 0; s < 7; ++s) {
+    Series series{"series " + std::to_string(s), {}, {}};
+    for (int i = 0; i <= 100; ++i) {
+      series.x.push_back(0.22 * i);
+      series.y.push_back((s + 1) * std::sin(0.1 * i));
+    }
+    chart.series.push_back(series);
+  }
+  return chart;
+}
+
+TEST(Chart, DrawsEveryPointOfEverySeriesWithinItsAxes) {
+  // Given seven series, more than there are colours.
+  const Chart chart = wavy_chart();
+  const std::string svg = chart_svg(chart);
+  const auto lines = polylines(svg);
+  // Then each has all its points, between the left end of the x axis and the right, and above the x axis.
+  ASSERT_EQ(lines.size(), 7U);
+  static const std::regex kXAxis{
+      "<line x1=\"([\\d.]+)\" y1=\"([\\d.]+)\" x2=\"([\\d.]+)\" y2=\"\\2\" stroke=\"#333333\" stroke-width=\"1.2\"/>\n"
+      "<line x1=\"\\1\" y1=\"([\\d.]+)\" x2=\"\\1\" y2=\"\\2\""};
+  std::smatch axes;
+  ASSERT_TRUE(std::regex_search(svg, axes, kXAxis));
+  for (const auto& line : lines) {
+    ASSERT_EQ(line.size(), 101U);
+    for (const Place& place : line) {
+      EXPECT_GE(place.x, std::stod(axes[1]));
+      EXPECT_LE(place.x, std::stod(axes[3]));
+      EXPECT_LE(place.y, std::stod(axes[2]));
+      EXPECT_GE(place.y, std::stod(axes[4]));
+    }
+  }
+}
+
+TEST(Chart, PutsPointsInProportion) {
+  Chart chart;
+  chart.series = {{"line", {0, 1, 2, 4}, {0, 10, 20, 40}}};
+  const auto line = polylines(chart_svg(chart)).at(0);
+  EXPECT_NEAR(line[3].x - line[0].x, 4 * (line[1].x - line[0].x), 0.05);
+  EXPECT_NEAR(line[3].y - line[0].y, 2 * (line[2].y - line[0].y), 0.05);
+  EXPECT_GT(line[1].x, line[0].x);
+  EXPECT_LT(line[1].y, line[0].y) << "a larger value lies higher on the page";
+}
+
+TEST(Chart, IsWellFormedWhateverTheTextSays) {
+  Chart chart = wavy_chart();
+  chart.title = "a < b & c > \"d\" \x01";
+  chart.series[0].name = "</svg>";
+  const std::string svg = chart_svg(chart);
+  EXPECT_TRUE(is_well_formed(svg));
+  EXPECT_THAT(svg, HasSubstr("a &lt; b &amp; c &gt; &quot;d&quot;"));
+  EXPECT_THAT(svg, HasSubstr("&lt;/svg&gt;"));
+}
+
+TEST(Chart, NamesItsAxesAndItsSeries) {
+  const std::string svg = chart_svg(wavy_chart());
+  for (const char* text : {">title<", ">Strain [%]<", ">Force [N]<", ">series 0<", ">series 6<"}) {
+    EXPECT_THAT(svg, HasSubstr(text));
+  }
+  Chart alone = wavy_chart();
+  alone.series.resize(1);
+  EXPECT_THAT(chart_svg(alone), Not(HasSubstr(">series 0<"))) << "a single line needs no legend";
+}
+
+TEST(Chart, LeavesAGapWhereAPointIsNotFinite) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  Chart chart;
+  chart.series = {{"broken", {0, 1, 2, 3, 4, 5}, {0, 1, nan, 3, nan, 5}}};
+  const std::string svg = chart_svg(chart);
+  const auto lines = polylines(svg);
+  ASSERT_EQ(lines.size(), 1U) << "the points 0 and 1; 3 and 5 stand alone";
+  EXPECT_EQ(lines[0].size(), 2U);
+  static const std::regex kCircle{"<circle "};
+  EXPECT_EQ(std::distance(std::sregex_iterator(svg.begin(), svg.end(), kCircle), std::sregex_iterator()), 2);
+  EXPECT_THAT(svg, Not(HasSubstr("nan")));
+}
+
+TEST(Chart, SaysThatThereIsNoData) {
+  EXPECT_THAT(chart_svg({}), HasSubstr("no data"));
+  Chart chart;
+  chart.series = {{"empty", {}, {}}};
+  const std::string svg = chart_svg(chart);
+  EXPECT_THAT(svg, HasSubstr("no data"));
+  EXPECT_TRUE(is_well_formed(svg));
+}
+
+TEST(Chart, RefusesSeriesOfUnequalLength) {
+  Chart chart;
+  chart.series = {{"odd", {1, 2}, {1}}};
+  EXPECT_THROW(static_cast<void>(chart_svg(chart)), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace knitmech::picture

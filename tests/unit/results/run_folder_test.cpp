@@ -1,0 +1,195 @@
+#include "results/run_folder.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "base/errors.h"
+#include "results/atomic_file.h"
+#include "results/history_file.h"
+#include "sample_run.h"
+#include "vtk_xml_reader.h"
+
+namespace knitmech::results {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::ThrowsMessage;
+
+class RunFolderTest : public testing::Test {
+ protected:
+  const test::TemporaryFolder temporary_;
+  const fs::path dir_ = temporary_.path() / "runs" / "first";
+  const model::Model model_ = test::two_yarn_model();
+
+  [[nodiscard]] std::vector<std::string> files() const {
+    std::vector<std::string> names;
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(dir_)) {
+      if (entry.is_regular_file()) {
+        names.push_back(fs::relative(entry.path(), dir_).string());
+      }
+    }
+    std::sort(names.begin(), names.end());
+    return names;
+  }
+
+  [[nodiscard]] json summary() const { return json::parse(read_file(dir_ / "summary.json")); }
+};
+
+model::HistoryRow row_at(double strain) {
+  model::HistoryRow row;
+  row.time = 10 * strain;
+  row.strain = strain;
+  row.external_work = row.internal_energy = strain * strain;
+  row.force_top = row.force_bottom = strain;
+  return row;
+}
+
+TEST_F(RunFolderTest, HoldsTheFilesOfARun) {
+  // Given a run of three rows and two frames.
+  RunFolder folder(dir_, "title = \"x\"\n", model_);
+  folder.add_history(row_at(0));
+  folder.add_frame(test::awkward_frame(model_, 0));
+  folder.add_history(row_at(0.1));
+  folder.add_history(row_at(0.2));
+  folder.add_frame(test::awkward_frame(model_, 1));
+  folder.log("first line");
+  folder.log("second line");
+  folder.finish(model::RunOutcome{});
+  // Then the folder holds these files, and no temporary one.
+  EXPECT_THAT(files(), ElementsAre("case.toml", "frames/frame_0000.vtp", "frames/frame_0001.vtp", "frames/frames.pvd",
+                                   "history.csv", "log.txt", "summary.json"));
+  EXPECT_EQ(read_file(dir_ / "case.toml"), "title = \"x\"\n");
+  EXPECT_EQ(read_file(dir_ / "log.txt"), "first line\nsecond line\n");
+  const std::vector<model::HistoryRow> history = read_history(dir_ / "history.csv");
+  ASSERT_EQ(history.size(), 3U);
+  EXPECT_EQ(history[1].strain, 0.1);
+  EXPECT_TRUE(test::read_vtk_xml(read_file(dir_ / "frames" / "frame_0001.vtp")).well_formed);
+  EXPECT_THAT(read_file(dir_ / "frames" / "frames.pvd"), HasSubstr("file=\"frame_0001.vtp\""));
+}
+
+TEST_F(RunFolderTest, TheSummaryCountsAndJudges) {
+  RunFolder folder(dir_, "", model_);
+  for (int i = 0; i <= 20; ++i) {
+    folder.add_history(row_at(0.01 * i));
+  }
+  model::RunOutcome outcome;
+  outcome.status = model::RunStatus::interrupted;
+  outcome.strain = 0.2;
+  outcome.steps = 1000;
+  outcome.largest_penetration = 0.012;
+  outcome.mass_scaling = 100;
+  outcome.wall_seconds = 2;
+  folder.finish(outcome);
+  const json document = summary();
+  EXPECT_EQ(document["format"], "knitmech-run");
+  EXPECT_EQ(document["status"], "interrupted");
+  EXPECT_EQ(document["title"], "two yarns");
+  EXPECT_EQ(document["model"]["yarns"], 2);
+  EXPECT_EQ(document["model"]["nodes"], 7);
+  EXPECT_EQ(document["model"]["elements"], 5);
+  EXPECT_EQ(document["model"]["degrees_of_freedom"], 42);
+  EXPECT_EQ(document["output"]["history_rows"], 21);
+  EXPECT_EQ(document["solver"]["mass_scaling"], 100);
+  EXPECT_EQ(document["solver"]["element_steps_per_s"], 2500);
+  EXPECT_EQ(document["final"]["strain"], 0.2);
+  EXPECT_EQ(document["final"]["force_top_N"], 0.2);
+  EXPECT_EQ(document["largest"]["penetration_mm"], 0.012);
+  EXPECT_EQ(document["quality"]["quasi_static"], true);
+  EXPECT_NEAR(document["quality"]["penetration_ratio"].get<double>(), 0.1, 1e-12);
+  EXPECT_EQ(document["quality"]["crossings_kept"], true);
+}
+
+TEST_F(RunFolderTest, TheSummaryOfAFailedRunWithoutHistoryHasNullsAndNoNotANumber) {
+  RunFolder folder(dir_, "", model_);
+  folder.finish(
+      {.status = model::RunStatus::failed, .reason = "the step collapsed", .advice = "use less mass scaling"});
+  const json document = summary();
+  EXPECT_EQ(document["status"], "failed");
+  EXPECT_EQ(document["reason"], "the step collapsed");
+  EXPECT_EQ(document["advice"], "use less mass scaling");
+  EXPECT_TRUE(document["final"]["force_top_N"].is_null());
+  EXPECT_TRUE(document["quality"]["kinetic_ratio"].is_null());
+  EXPECT_TRUE(document["solver"]["element_steps_per_s"].is_null());
+}
+
+TEST_F(RunFolderTest, ARunThatIsKilledKeepsWhatWasThereAtItsLastFrame) {
+  {
+    RunFolder folder(dir_, "", model_);
+    folder.add_history(row_at(0));
+    folder.add_history(row_at(0.1));
+    folder.add_frame(test::awkward_frame(model_, 0));
+    folder.add_history(row_at(0.2));
+  }  // never finished
+  EXPECT_GE(read_history(dir_ / "history.csv").size(), 2U);
+  EXPECT_EQ(summary()["status"], "running");
+}
+
+TEST_F(RunFolderTest, AnOlderRunIsClearedOfItsOwnFilesOnly) {
+  {
+    RunFolder older(dir_, "older", model_);
+    older.log("older");
+    older.add_history(row_at(0.3));
+    older.add_frame(test::awkward_frame(model_, 0));
+    older.add_frame(test::awkward_frame(model_, 7));
+  }
+  test::write_text(dir_ / "notes.txt", "mine");
+  test::write_text(dir_ / "frames" / "frame_final.vtp", "mine");
+  test::write_text(dir_ / "frames" / "frame_0003.vtp.partial", "left by a killed run");
+  const RunFolder newer(dir_, "newer", model_);
+  EXPECT_THAT(files(), ElementsAre("case.toml", "frames/frame_final.vtp", "frames/frames.pvd", "history.csv",
+                                   "notes.txt", "summary.json"));
+  EXPECT_EQ(read_file(dir_ / "case.toml"), "newer");
+  EXPECT_TRUE(read_history(dir_ / "history.csv").empty());
+}
+
+TEST_F(RunFolderTest, AForeignFolderIsNeverTouched) {
+  // Given folders with a user's files, also with names and JSON like ours.
+  fs::create_directories(dir_);
+  for (const std::string text : {"", "not json", "[1, 2]", "{\"format\": \"other\"}"}) {
+    test::write_text(dir_ / "case.toml", "mine");
+    test::write_text(dir_ / "summary.json", text);
+    EXPECT_THAT([&] { RunFolder(dir_, "", model_); },
+                ThrowsMessage<InputError>(AllOf(HasSubstr(dir_.string()), HasSubstr("not a KnitMech run"))));
+    EXPECT_THAT(files(), ElementsAre("case.toml", "summary.json"));
+    EXPECT_EQ(read_file(dir_ / "case.toml"), "mine");
+    EXPECT_EQ(read_file(dir_ / "summary.json"), text);
+  }
+  // An empty folder is fine.
+  fs::create_directories(temporary_.path() / "empty");
+  EXPECT_NO_THROW(RunFolder(temporary_.path() / "empty", "", model_));
+}
+
+TEST_F(RunFolderTest, AFileInThePlaceOfTheFolderIsRefused) {
+  test::write_text(temporary_.path() / "file", "mine");
+  EXPECT_THAT([&] { RunFolder(temporary_.path() / "file", "", model_); },
+              ThrowsMessage<InputError>(HasSubstr("is a file")));
+  EXPECT_THAT([&] { RunFolder(temporary_.path() / "file" / "below", "", model_); },
+              ThrowsMessage<FileError>(HasSubstr("below")));
+  EXPECT_EQ(read_file(temporary_.path() / "file"), "mine");
+}
+
+TEST_F(RunFolderTest, AFolderThatVanishesIsAFileError) {
+  RunFolder folder(dir_, "", model_);
+  fs::remove_all(dir_);
+  EXPECT_THAT([&] { folder.add_frame(test::awkward_frame(model_, 0)); },
+              ThrowsMessage<FileError>(HasSubstr("frame_0000.vtp")));
+  EXPECT_THAT([&] { folder.log("line"); }, ThrowsMessage<FileError>(HasSubstr("log.txt")));
+  EXPECT_THAT([&] { folder.finish({}); }, ThrowsMessage<FileError>(HasSubstr("history.csv")));
+}
+
+TEST_F(RunFolderTest, AFullDiskWhileLoggingIsAFileError) {
+  RunFolder folder(dir_, "", model_);
+  fs::create_symlink("/dev/full", dir_ / "log.txt");
+  EXPECT_THAT([&] { folder.log("line"); },
+              ThrowsMessage<FileError>(AllOf(HasSubstr("log.txt"), HasSubstr("No space left"))));
+}
+
+}  // namespace
+}  // namespace knitmech::results

@@ -1,0 +1,86 @@
+#include "solve/grips.h"
+
+#include <gtest/gtest.h>
+
+#include "../../support/beam_case.h"
+
+namespace knitmech {
+namespace {
+
+/// One yarn along y of two elements; the first node is held, the last driven.
+model::Model pulled_yarn(model::Grips grips) {
+  model::Model model =
+      test::yarns_through({test::straight({0, 0, 0}, {0, 2, 0}, 2)}, test::section(19, 6, 0.017, 0.012, 1e-9));
+  model.node_sets[model::kBottomFeet] = {0};
+  model.node_sets[model::kTopHeads] = {2};
+  model.test.grips = grips;
+  model.test.gauge_length = 2;
+  model.test.strain = 0.1;
+  model.test.speed = 5;
+  model.test.ramp = 0.01;
+  return model;
+}
+
+struct Bench {
+  model::Model model;
+  beam::NodalInertia inertia{{1e-6, 2e-6, 1e-6}, {1e-8, 1e-8, 1e-8}, 0};
+  model::State state;
+  solve::Grips grips;
+
+  explicit Bench(model::Grips kind) : model(pulled_yarn(kind)), state(test::state_of(model)), grips(model) {}
+
+  /// One step under loads that the fabric puts on the grips.
+  void step(double h, Vector3 on_held, Vector3 on_driven) {
+    model::NodalLoads loads(3);
+    loads.force.set(0, on_held);
+    loads.force.set(2, on_driven);
+    loads.moment.set(2, {1, 2, 3});
+    grips.apply(inertia, {h, h}, 0.0, state, loads);
+    solve::integrate(inertia, loads, {h, h}, 0.0, state);
+  }
+};
+
+TEST(Grips, GivenAnyLoads_ThenTheHeldNodeStaysAndTheDrivenOneFollowsTheTestExactly) {
+  Bench bench(model::Grips::clamped);
+  for (int i = 0; i < 100; ++i) bench.step(1e-4 * (1 + i % 3), {1, 2, 3}, {-4, -5 + 0.1 * i, 6});
+  EXPECT_NEAR(test::vector_at(bench.state.position, 0).norm(), 0.0, 1e-15);
+  EXPECT_NEAR(bench.state.position.y[2] - 2, bench.model.test.displacement(bench.state.time), 1e-14);
+  EXPECT_EQ(bench.state.position.x[2], 0.0);
+  EXPECT_EQ(bench.state.rotation.w[2], 1.0);
+}
+
+TEST(Grips, GivenSlidingGrips_ThenTheDrivenNodeIsFreeAcrossThePullOnly) {
+  Bench bench(model::Grips::sliding);
+  for (int i = 0; i < 10; ++i) bench.step(1e-4, {0, 0, 0}, {1e-6, -5, -1e-6});
+  EXPECT_GT(bench.state.position.x[2], 0.0);
+  EXPECT_LT(bench.state.position.z[2], 0.0);
+  EXPECT_EQ(bench.state.rotation.w[2], 1.0);
+  EXPECT_NEAR(bench.state.position.y[2] - 2, bench.model.test.displacement(bench.state.time), 1e-14);
+}
+
+TEST(Grips, GivenASteadyPullOfTheFabric_ThenBothGripsReportItAndTheWorkIsForceTimesDisplacement) {
+  Bench bench(model::Grips::clamped);
+  for (int i = 0; i < 200; ++i) bench.step(1e-4, {0, 3, 0}, {0, -3, 0});  // past the ramp
+  EXPECT_NEAR(bench.grips.force_bottom(), 3.0, 1e-12);
+  EXPECT_NEAR(bench.grips.force_top(), 3.0, 1e-9);
+  const double kinetic = 0.5 * 1e-6 * 25;         // the grip moves a mass too
+  const double half_a_step = 0.5 * 3 * 5 * 1e-4;  // work reaches to the last velocity, half a step behind
+  EXPECT_NEAR(bench.grips.work() + half_a_step, 3 * bench.model.test.displacement(bench.state.time) + kinetic, 1e-6);
+}
+
+TEST(Grips, GivenLoadsOnGrips_ThenClearingThemLeavesOnlyTheFreeNodes) {
+  Bench bench(model::Grips::sliding);
+  model::NodalLoads loads(3);
+  for (std::size_t i = 0; i < 3; ++i) {
+    loads.force.set(i, {1, 1, 1});
+    loads.moment.set(i, {1, 1, 1});
+  }
+  bench.grips.clear_loads(loads);
+  EXPECT_EQ(test::vector_at(loads.force, 0).norm(), 0.0);
+  EXPECT_EQ(test::vector_at(loads.force, 1), Eigen::Vector3d(1, 1, 1));
+  EXPECT_EQ(test::vector_at(loads.force, 2), Eigen::Vector3d(1, 0, 1));
+  EXPECT_EQ(test::vector_at(loads.moment, 2).norm(), 0.0);
+}
+
+}  // namespace
+}  // namespace knitmech

@@ -1,0 +1,117 @@
+#include "solve/simulate.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "../../support/beam_case.h"
+
+namespace knitmech {
+namespace {
+
+constexpr double kAxial = 19.0;
+constexpr double kLength = 10.0;
+
+/// One straight yarn along y, held at one end and pulled at the other: force and energy are known.
+model::Model straight_yarn(double strain) {
+  model::Model model = test::yarns_through({test::straight({0, 0, 0}, {0, kLength, 0}, 10)},
+                                           test::section(kAxial, 6, 0.017, 0.012, 1e-11, 0.12));
+  model.node_sets[model::kBottomFeet] = {0};
+  model.node_sets[model::kTopHeads] = {10};
+  model.contact_stiffness = 16;
+  model.friction = 0.1;
+  model.test.gauge_length = kLength;
+  model.test.strain = strain;
+  model.test.speed = 5;
+  model.test.ramp = 0.005;
+  return model;
+}
+
+struct Heard {
+  std::vector<model::HistoryRow> rows;
+  std::vector<model::Frame> frames;
+  solve::SimulationCallbacks callbacks{[this](const model::HistoryRow& row) { rows.push_back(row); },
+                                       [this](const model::Frame& frame) { frames.push_back(frame); },
+                                       {}};
+};
+
+solve::SimulationSettings settings(int history_points, std::vector<double> frames_at) {
+  solve::SimulationSettings settings;
+  settings.mass_scaling = 100;
+  settings.history_points = history_points;
+  settings.frames_at = std::move(frames_at);
+  return settings;
+}
+
+TEST(Simulate, GivenAStraightYarn_ThenForceAndEnergyAreThoseOfABar) {
+  const double strain = 0.01;
+  Heard heard;
+  const model::RunOutcome outcome = solve::simulate(straight_yarn(strain), settings(50, {}), heard.callbacks);
+  EXPECT_EQ(outcome.status, model::RunStatus::completed) << outcome.reason;
+  const model::HistoryRow& last = heard.rows.back();
+  EXPECT_NEAR(last.strain, strain, 1e-5);
+  EXPECT_NEAR(last.internal_energy, 0.5 * kAxial * strain * strain * kLength, 1e-3 * last.internal_energy);
+  EXPECT_NEAR(last.external_work, last.internal_energy, 2e-3 * last.internal_energy);
+  // The row's force is the mean since the row before, half a row earlier.
+  EXPECT_NEAR(last.force_top, kAxial * (strain - 0.5 * strain / 50), 2e-3 * last.force_top);
+  EXPECT_NEAR(last.force_bottom, last.force_top, 5e-3 * last.force_top);
+  EXPECT_NEAR(heard.frames.back().axial_force[4], kAxial * strain, 2e-3 * kAxial * strain);
+}
+
+TEST(Simulate, GivenFramesAndHistoryPoints_ThenEachIsReportedWhereItWasAskedFor) {
+  Heard heard;
+  static_cast<void>(solve::simulate(straight_yarn(0.01), settings(20, {0.0025, 0.00333, 0.05}), heard.callbacks));
+  ASSERT_EQ(heard.frames.size(), 4U);  // start, two on the way, end; 0.05 is beyond the test
+  EXPECT_NEAR(heard.frames[0].history.strain, 0.0, 1e-15);
+  EXPECT_NEAR(heard.frames[1].history.strain, 0.0025, 1e-5);
+  EXPECT_NEAR(heard.frames[2].history.strain, 0.00333, 1e-5);
+  EXPECT_NEAR(heard.frames[3].history.strain, 0.01, 1e-5);
+  for (int i = 0; i < 4; ++i) EXPECT_EQ(heard.frames[static_cast<std::size_t>(i)].index, i);
+  // The start, twenty points, and the frame that lies on none of them.
+  ASSERT_EQ(heard.rows.size(), 22U);
+  for (std::size_t i = 1; i < heard.rows.size(); ++i) EXPECT_GT(heard.rows[i].time, heard.rows[i - 1].time);
+}
+
+TEST(Simulate, GivenACallerWhoSaysStop_ThenTheRunEndsCleanlyWithALastFrame) {
+  Heard heard;
+  int asked = 0;
+  heard.callbacks.keep_going = [&](const model::HistoryRow&) { return ++asked < 3; };
+  const model::RunOutcome outcome = solve::simulate(straight_yarn(0.05), settings(20, {}), heard.callbacks);
+  EXPECT_EQ(outcome.status, model::RunStatus::interrupted);
+  EXPECT_GT(outcome.steps, 0);
+  EXPECT_LT(outcome.strain, 0.05);
+  EXPECT_EQ(heard.frames.size(), 2U);
+  EXPECT_EQ(heard.rows.back().strain, outcome.strain);
+}
+
+TEST(Simulate, GivenAnUnstableStep_ThenTheRunFailsWithWhenAndWhatToTryAndKeepsWhatWasComputed) {
+  Heard heard;
+  solve::SimulationSettings unstable = settings(50, {});
+  unstable.step_factor = 3;
+  const model::RunOutcome outcome = solve::simulate(straight_yarn(0.05), unstable, heard.callbacks);
+  EXPECT_EQ(outcome.status, model::RunStatus::failed);
+  EXPECT_NE(outcome.reason.find("% strain"), std::string::npos) << outcome.reason;
+  EXPECT_NE(outcome.advice.find("solver.step_factor"), std::string::npos) << outcome.advice;
+  EXPECT_FALSE(heard.rows.empty());
+  EXPECT_FALSE(heard.frames.empty());
+}
+
+TEST(Settings, GivenACase_ThenTheSolverIsToldWhatItSays) {
+  model::Case input;
+  input.solver.mass_scaling = 42;
+  input.solver.bulk_viscosity = 0.01;
+  input.solver.mass_damping = 3;
+  input.solver.step_factor = 0.7;
+  input.output.frames_at = {0.1, 0.2};
+  input.output.history_points = 17;
+  const solve::SimulationSettings settings = solve::settings_from(input);
+  EXPECT_EQ(settings.mass_scaling, 42);
+  EXPECT_EQ(settings.bulk_viscosity, 0.01);
+  EXPECT_EQ(settings.mass_damping, 3);
+  EXPECT_EQ(settings.step_factor, 0.7);
+  EXPECT_EQ(settings.frames_at, (std::vector<double>{0.1, 0.2}));
+  EXPECT_EQ(settings.history_points, 17);
+}
+
+}  // namespace
+}  // namespace knitmech
