@@ -1,6 +1,6 @@
 #include "contact/contact_points.h"
 
-#include "contact/segment_distance.h"
+#include "base/segment_distance.h"
 
 namespace knitmech::contact {
 

@@ -6,8 +6,8 @@
 #include <limits>
 #include <numbers>
 
+#include "base/segment_distance.h"
 #include "contact/constants.h"
-#include "contact/segment_distance.h"
 
 namespace knitmech::contact {
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <limits>
 
+#include "base/segment_distance.h"
 #include "contact/constants.h"
 #include "contact/normal_law.h"
-#include "contact/segment_distance.h"
 
 namespace knitmech::contact {
 

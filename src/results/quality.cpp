@@ -55,12 +55,24 @@ double grip_difference_of(Rows rows) {
   return ratio(top - bottom, 0.5 * (top + bottom));
 }
 
-/// The windows reach back from the last row, so that the end of the test is always judged.
-Peak largest_grip_difference(Rows rows) {
+double kinetic_ratio_of(Rows rows) {
+  double kinetic = 0;
+  double internal = 0;
+  for (const HistoryRow& row : rows) {
+    kinetic += row.kinetic_energy;
+    internal += row.internal_energy;
+  }
+  return ratio(kinetic, internal);
+}
+
+/// Largest ratio over windows of kWindow strain. The windows reach back from the last row, so that the end of the test
+/// is always judged; a first window that is not full counts only if it is the only one.
+template <typename RatioOf>
+Peak largest_over_windows(Rows rows, RatioOf&& ratio_of) {
   Peak peak;
   std::size_t end = rows.size();
   while (end > 0) {
-    const double start_strain = rows[end - 1].strain - kGripWindow;
+    const double start_strain = rows[end - 1].strain - kWindow;
     std::size_t begin = end - 1;
     while (begin > 0 && rows[begin - 1].strain > start_strain) {
       --begin;
@@ -68,9 +80,9 @@ Peak largest_grip_difference(Rows rows) {
     const bool is_full = begin > 0;
     const bool is_only = end == rows.size();
     if (is_full || is_only) {
-      const double difference = grip_difference_of(rows.subspan(begin, end - begin));
-      if (is_only || difference > peak.value) {
-        peak = {difference, rows[end - 1].strain};
+      const double value = ratio_of(rows.subspan(begin, end - begin));
+      if (is_only || value > peak.value) {
+        peak = {value, rows[end - 1].strain};
       }
     }
     end = begin;
@@ -99,7 +111,7 @@ std::string failed_limits(const Quality& quality) {
   if (kinetic_failed || grips_failed) {
     std::string what;
     if (kinetic_failed) {
-      what = fmt::format("the kinetic energy reaches {} of the internal energy at {} (limit {})",
+      what = fmt::format("the kinetic energy reaches {} of the internal energy up to {} (limit {})",
                          percent(*quality.kinetic_ratio), strain_text(*quality.kinetic_ratio_strain),
                          percent(kKineticRatioLimit));
     }
@@ -144,15 +156,14 @@ std::string ending(const model::RunOutcome& outcome) {
 
 void set_ratios(Quality& quality, Rows rows) {
   quality.toe_strain = rows.front().strain;
-  const Peak kinetic =
-      largest(rows, [](const HistoryRow& row) { return ratio(row.kinetic_energy, row.internal_energy); });
+  const Peak kinetic = largest_over_windows(rows, kinetic_ratio_of);
   quality.kinetic_ratio = kinetic.value;
   quality.kinetic_ratio_strain = kinetic.strain;
   const Peak balance = largest(rows, balance_ratio);
   quality.energy_balance = balance.value;
   quality.energy_balance_strain = balance.strain;
   quality.energy_balance_end = balance_ratio(rows.back());
-  const Peak grips = largest_grip_difference(rows);
+  const Peak grips = largest_over_windows(rows, grip_difference_of);
   quality.grip_difference = grips.value;
   quality.grip_difference_strain = grips.strain;
 }

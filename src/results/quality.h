@@ -15,8 +15,8 @@ namespace knitmech::results {
 /// zero or negative. They are taken after the toe, where forces are large enough for a ratio to mean something.
 struct Quality {
   std::optional<double> toe_strain;              ///< [-], where the toe region ends
-  std::optional<double> kinetic_ratio;           ///< [-], largest kinetic / internal energy
-  std::optional<double> kinetic_ratio_strain;    ///< [-], where that is
+  std::optional<double> kinetic_ratio;           ///< [-], largest kinetic / internal energy over a window
+  std::optional<double> kinetic_ratio_strain;    ///< [-], end of that window
   std::optional<double> energy_balance_end;      ///< [-], |balance| / external work of the last row
   std::optional<double> energy_balance;          ///< [-], largest |balance| / external work
   std::optional<double> energy_balance_strain;   ///< [-], where that is
@@ -40,9 +40,9 @@ struct Quality {
 /// positive work is all toe.
 [[nodiscard]] std::size_t first_row_after_toe(const std::vector<model::HistoryRow>& history);
 
-/// Judges a run by the limits of results/constants.h: kinetic energy, energy balance, difference of the grip forces
-/// averaged over windows of kGripWindow strain (counted back from the end; a first window that is not full is used only
-/// if it is the only one), crossings.
+/// Judges a run by the limits of results/constants.h: kinetic energy and difference of the grip forces, both averaged
+/// over windows of kWindow strain (counted back from the end; a first window that is not full is used only if it is the
+/// only one), energy balance, crossings.
 ///
 /// diameter [mm] is that of the yarn; with 0 the relative penetration is 0. Works for short, empty, interrupted and
 /// all-zero histories.

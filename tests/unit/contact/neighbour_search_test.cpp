@@ -6,7 +6,7 @@
 #include <random>
 
 #include "../../support/beam_case.h"
-#include "contact/segment_distance.h"
+#include "base/segment_distance.h"
 
 namespace knitmech::contact {
 namespace {
