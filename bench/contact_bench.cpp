@@ -23,7 +23,7 @@ model::State pulled_state(model::Model& model) {
 void contact_forces(benchmark::State& benchmark) {
   model::Model model = main_example();
   const model::State state = pulled_state(model);
-  contact::YarnContact contact(contact::make_contact_elements(model));
+  contact::YarnContact contact(model);
   model::NodalLoads loads(model.nodes.size());
   for ([[maybe_unused]] auto _ : benchmark) {
     contact.add_forces(state, 1e-6, loads);
@@ -38,11 +38,13 @@ BENCHMARK(contact_forces);
 
 void neighbour_search(benchmark::State& benchmark) {
   const auto size = static_cast<int>(benchmark.range(0));
-  const model::Model model = main_example(10, size, size);
+  model::Model model = main_example(10, size, size);
+  model.centreline = model::Centreline::chords;
   const contact::ContactElements elements = contact::make_contact_elements(model);
   const model::State state = state_of(model);
   for ([[maybe_unused]] auto _ : benchmark) {
-    benchmark::DoNotOptimize(contact::find_neighbours(elements, state.position, 0.05).data());
+    benchmark::DoNotOptimize(
+        contact::find_neighbours(elements, state.position, std::vector<double>(elements.n_nodes(), 0.0), 0.05).data());
   }
   benchmark.counters["elements_per_second"] =
       benchmark::Counter(static_cast<double>(model.n_elements()) * static_cast<double>(benchmark.iterations()),

@@ -68,7 +68,7 @@ struct ElementState {
 /// Relative rotations of more than 180 degrees inside one element are taken the shorter way round.
 KNITMECH_INLINE ElementState element_state(const ElementProperties& element, Vector3 chord_in_space, Quaternion a,
                                            Quaternion b) {
-  ElementState state;
+  ElementState state{};
   const double product = a.w * b.w + dot(a.v, b.v);
   const double sign = product < 0 ? -1.0 : 1.0;
   state.cosine = sign * product;

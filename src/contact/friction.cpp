@@ -25,7 +25,7 @@ const Entry* find(const std::vector<Entry>& entries, std::uint64_t key) {
 
 FrictionStep friction_step(const ContactPoint& point, const SlipMemory* before, Vector3 motion, double limit) {
   FrictionStep step;
-  const double stiffness = kStickStiffness * point.stiffness;
+  const double stiffness = kStickStiffness * point.tangent;
   Vector3 slip = motion - dot(motion, point.normal) * point.normal;
   if (before != nullptr) slip = slip + turned_into_plane(before->elastic_slip, point.normal);
 
@@ -47,14 +47,22 @@ const SlipMemory* recall(const std::vector<SlipMemory>& memories, const ContactP
 
 const SlipMemory* recall_moved(const std::vector<SlipMemory>& memories, const std::vector<ContactPoint>& points,
                                const ContactPoint& point) {
+  const unsigned own = sample_of(point.key);
+  const auto take = [&](std::int32_t first, std::int32_t second, unsigned sample) -> const SlipMemory* {
+    const SlipMemory* moved = find(memories, contact_key(first, second, sample));
+    if (moved == nullptr || dot(moved->normal, point.normal) < kSameDirection) return nullptr;
+    return find(points, moved->key) == nullptr ? moved : nullptr;
+  };
   for (const int step_first : {0, -1, 1}) {
     for (const int step_second : {0, -1, 1}) {
       const std::int32_t first = point.first + step_first;
       const std::int32_t second = point.second + step_second;
-      if ((step_first == 0 && step_second == 0) || first < 0 || second < 0) continue;
-      const SlipMemory* moved = find(memories, contact_key(first, second));
-      if (moved == nullptr || dot(moved->normal, point.normal) < kSameDirection) continue;
-      if (find(points, moved->key) == nullptr) return moved;
+      if (first < 0 || second < 0) continue;
+      if (const SlipMemory* same = take(first, second, own)) return same;
+      if (own >= kFirstSample) continue;
+      for (const unsigned other : {kWholeCrossing, kFirstHalf, kSecondHalf}) {
+        if (const SlipMemory* moved = take(first, second, other)) return moved;
+      }
     }
   }
   return nullptr;

@@ -60,7 +60,7 @@ void choose_cells(Grid& grid, const Box& box, double reach, std::size_t n_elemen
   }
 }
 
-Grid make_grid(const ContactElements& elements, const model::VectorArray& position, double skin) {
+Grid make_grid(const ContactElements& elements, const model::VectorArray& position, double reach) {
   Grid grid;
   grid.middle.resize(elements.n_nodes());
   Box box;
@@ -73,7 +73,7 @@ Grid make_grid(const ContactElements& elements, const model::VectorArray& positi
     box.add(grid.middle[i]);
     ++n_elements;
   }
-  choose_cells(grid, box, longest + 2 * elements.largest_radius + skin, n_elements);
+  choose_cells(grid, box, longest + reach, n_elements);
 
   std::vector<std::int32_t> cell_of(elements.n_nodes(), -1);
   grid.start.assign(static_cast<std::size_t>(grid.n[0] * grid.n[1] * grid.n[2]) + 1, 0);
@@ -94,11 +94,8 @@ Grid make_grid(const ContactElements& elements, const model::VectorArray& positi
   return grid;
 }
 
-/// Distance of two elements' chords against the sum of their radii plus the skin, with a cheap look at the middles
-/// first.
-bool within_reach(const ContactElements& elements, const model::VectorArray& position, const Grid& grid, std::size_t a,
-                  std::size_t b, double skin) {
-  const double reach = elements.radius[a] + elements.radius[b] + skin;
+/// Distance of two elements' chords against a reach [mm], with a cheap look at the middles first.
+bool within_reach(const model::VectorArray& position, const Grid& grid, std::size_t a, std::size_t b, double reach) {
   const Vector3 u = position.at(a + 1) - position.at(a);
   const Vector3 v = position.at(b + 1) - position.at(b);
   const double far = reach + 0.5 * (length(u) + length(v));
@@ -119,8 +116,9 @@ bool too_near_along_yarn(const ContactElements& elements, std::size_t first, std
 }
 
 std::vector<ElementPair> find_neighbours(const ContactElements& elements, const model::VectorArray& position,
-                                         double skin) {
-  const Grid grid = make_grid(elements, position, skin);
+                                         const std::vector<double>& bulge, double skin) {
+  const double largest_bulge = *std::max_element(bulge.begin(), bulge.end());
+  const Grid grid = make_grid(elements, position, 2 * elements.largest_radius + skin + 2 * largest_bulge);
   std::vector<ElementPair> pairs;
   for (std::size_t a = 0; a < elements.n_nodes(); ++a) {
     if (!elements.exists[a]) continue;
@@ -133,7 +131,8 @@ std::vector<ElementPair> find_neighbours(const ContactElements& elements, const 
         for (auto m = grid.start[from]; m < grid.start[to + 1]; ++m) {
           const auto b = static_cast<std::size_t>(grid.members[static_cast<std::size_t>(m)]);
           if (b <= a || too_near_along_yarn(elements, a, b)) continue;
-          if (!within_reach(elements, position, grid, a, b, skin)) continue;
+          const double reach = elements.radius[a] + elements.radius[b] + skin + bulge[a] + bulge[b];
+          if (!within_reach(position, grid, a, b, reach)) continue;
           pairs.push_back({static_cast<std::int32_t>(a), static_cast<std::int32_t>(b)});
         }
       }

@@ -17,9 +17,12 @@ struct ElementPair {
 ///
 /// Elements that are too near along the same yarn are left out (kSelfContactArc). Elements are sorted by the cell of a
 /// uniform grid that their middle lies in, and compared with those of the same and the adjacent cells; the cost is
-/// linear in the number of elements for a fabric of even density. \param skin [mm]
+/// linear in the number of elements for a fabric of even density.
+/// \param bulge how far the centreline may leave each element's chord [mm], one entry per node; 0 for chords
+/// \param skin [mm]
 [[nodiscard]] std::vector<ElementPair> find_neighbours(const ContactElements& elements,
-                                                       const model::VectorArray& position, double skin);
+                                                       const model::VectorArray& position,
+                                                       const std::vector<double>& bulge, double skin);
 
 /// Whether two elements of one yarn are so near along the arc that they cannot touch.
 [[nodiscard]] bool too_near_along_yarn(const ContactElements& elements, std::size_t first, std::size_t second);

@@ -25,9 +25,12 @@ inline double normal_tangent(double penetration, double radii) {
   return growth * growth;
 }
 
-/// Energy per stiffness [mm^2].
+/// Energy per stiffness [mm^2]; by its series D^2 (x^2 / 2 + x^3 / 3 + ...), x = d / D, where few terms of it are
+/// exact.
 inline double normal_energy(double penetration, double radii) {
-  return radii * (-penetration - radii * std::log1p(-penetration / radii));
+  const double x = penetration / radii;
+  if (x > 0.02) return radii * radii * (-x - std::log1p(-x));
+  return radii * radii * x * x * (1.0 / 2 + x * (1.0 / 3 + x * (1.0 / 4 + x * (1.0 / 5 + x * (1.0 / 6 + x / 7)))));
 }
 
 }  // namespace knitmech::contact

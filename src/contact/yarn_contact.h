@@ -4,8 +4,10 @@
 #include <optional>
 #include <vector>
 
+#include "contact/centreline.h"
 #include "contact/contact_points.h"
 #include "contact/friction.h"
+#include "contact/smooth_contacts.h"
 #include "model/frame.h"
 #include "model/state.h"
 
@@ -23,7 +25,7 @@ struct LostCrossing {
 /// contact.
 class YarnContact {
  public:
-  explicit YarnContact(ContactElements elements);
+  explicit YarnContact(const model::Model& model);
 
   /// Adds normal and friction forces to the nodes.
   /// \param step [s] since the call before; velocities times step are the motion since then
@@ -37,22 +39,26 @@ class YarnContact {
   /// At the last call of add_forces [mm].
   [[nodiscard]] double largest_penetration() const;
   /// Upper bound of the square of the highest frequency that the contacts alone give the nodes [1/s^2]: the largest row
-  /// sum of their stiffness over the mass (Gershgorin).
-  [[nodiscard]] double highest_frequency_squared(const std::vector<double>& mass) const;
+  /// sum of their stiffness, scaled with the inertia of the nodes (Gershgorin).
+  [[nodiscard]] double highest_frequency_squared(const std::vector<double>& mass,
+                                                 const std::vector<double>& rotary) const;
   [[nodiscard]] const std::optional<LostCrossing>& lost_crossing() const { return lost_; }
   [[nodiscard]] long searches() const { return searches_; }
 
-  /// Fills the node fields contact_force and gap of a frame.
-  void set_contact_results(const model::State& state, model::Frame& frame) const;
+  /// Fills the node fields contact_force and gap of a frame whose points are set.
+  void set_contact_results(model::Frame& frame) const;
 
  private:
-  void search_if_moved(const model::VectorArray& position);
+  void search();
   void apply(const ContactPoint& point, const model::State& state, double step, model::NodalLoads& loads);
 
   ContactElements elements_;
-  double skin_ = 0;
+  Centreline centreline_;
+  double skin_ = 0;  ///< [mm]
   std::vector<ElementPair> pairs_;
-  model::VectorArray searched_at_;
+  std::vector<PairPlaces> places_;  ///< one entry per pair
+  PairClock clock_;
+  double searched_at_ = 0;  ///< on the clock [mm]
   std::vector<ContactPoint> points_;
   std::vector<SlipMemory> memories_, memories_before_;
   double friction_loss_ = 0;

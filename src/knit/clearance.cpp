@@ -8,8 +8,8 @@
 #include <cstddef>
 #include <limits>
 
+#include "base/segment_distance.h"
 #include "knit/constants.h"
-#include "knit/segment_distance.h"
 
 namespace knitmech::knit {
 namespace {
@@ -58,6 +58,10 @@ struct Candidate {
   Image image;
 };
 
+Vector3 plain(const Vector3d& vector) {
+  return {vector.x(), vector.y(), vector.z()};
+}
+
 Block make_block(const std::vector<Vector3d>& points, std::size_t first, std::size_t end) {
   Block block{.first = first, .end = end, .middle = Vector3d::Zero(), .radius = 0};
   for (std::size_t i = first; i <= end; ++i) block.middle += points[i] / static_cast<double>(end - first + 1);
@@ -102,18 +106,20 @@ class Search {
   }
 
   void compare_segments(std::size_t i, std::size_t j, const Image& image) {
-    const Vector3d& a0 = line_.points[i];
-    const Vector3d& a1 = line_.points[i + 1];
-    const Vector3d b0 = image.of(line_.points[j]);
-    const Vector3d b1 = image.of(line_.points[j + 1]);
-    const SegmentApproach at = closest_approach(a0, a1, b0, b1);
-    if (at.distance >= best_.distance) return;
-    const double arc_a = (static_cast<double>(i) + at.parameter_a) * line_.piece_length;
-    const double arc_b = (static_cast<double>(j) + at.parameter_b) * line_.piece_length;
-    const double facing_arc = kSelfContactArc * std::max(at.distance, diameter_);
+    const Vector3d& a = line_.points[i];
+    const Vector3d u = line_.points[i + 1] - a;
+    const Vector3d b = image.of(line_.points[j]);
+    const Vector3d v = image.of(line_.points[j + 1]) - b;
+    const ClosestPoints at = closest_points(plain(a), plain(u), plain(b), plain(v));
+    const Vector3d on_a = a + at.s * u;
+    const Vector3d on_b = b + at.t * v;
+    const double distance = (on_b - on_a).norm();
+    if (distance >= best_.distance) return;
+    const double arc_a = (static_cast<double>(i) + at.s) * line_.piece_length;
+    const double arc_b = (static_cast<double>(j) + at.t) * line_.piece_length;
+    const double facing_arc = kSelfContactArc * std::max(distance, diameter_);
     if (image.course == 0 && arc_between(arc_a, arc_b, image) < facing_arc) return;
-    const Vector3d middle = 0.5 * (a0 + at.parameter_a * (a1 - a0) + b0 + at.parameter_b * (b1 - b0));
-    best_ = {.distance = at.distance, .arc_a = arc_a, .arc_b = arc_b, .point = middle, .image = image};
+    best_ = {.distance = distance, .arc_a = arc_a, .arc_b = arc_b, .point = 0.5 * (on_a + on_b), .image = image};
   }
 
   [[nodiscard]] double arc_between(double arc_a, double arc_b, const Image& image) const {

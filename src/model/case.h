@@ -8,7 +8,8 @@
 
 namespace knitmech::model {
 
-enum class Centreline { chords };
+/// What the contact sees of a yarn: the smooth curve through its nodes, or the straight chords of its elements.
+enum class Centreline { smooth, chords };
 enum class TestKind { wale_tension };
 enum class Grips { clamped, sliding };
 
@@ -43,7 +44,7 @@ struct Case {
 
   struct Contact {
     double friction = 0;  ///< mu [-]
-    Centreline centreline = Centreline::chords;
+    Centreline centreline = Centreline::smooth;
     std::optional<double> stiffness;  ///< [N/mm], penalty of one crossing; empty: from the yarn's section
   } contact;
 

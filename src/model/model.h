@@ -59,7 +59,7 @@ struct Model {
   double half_stitch_length = 0;                      ///< [mm], arc length of one ERC
   double friction = 0;                                ///< mu [-]
   double contact_stiffness = 0;                       ///< [N/mm], penalty of one crossing
-  Centreline centreline = Centreline::chords;
+  Centreline centreline = Centreline::smooth;
   TensileTest test;
 
   [[nodiscard]] int n_nodes() const { return static_cast<int>(nodes.size()); }

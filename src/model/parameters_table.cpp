@@ -188,9 +188,10 @@ std::vector<Parameter> contact_parameters() {
        .slot = [](Case& c) -> Slot { return &c.contact.friction; }},
       {.key = "contact.centreline",
        .need = Need::defaulted,
-       .value = "chords",
-       .choices = {"chords"},
-       .help = "where the contact sees the yarn; chords: on the straight beam elements",
+       .value = "smooth",
+       .choices = {"smooth", "chords"},
+       .help = "where the contact sees the yarn; smooth: on the curve through the nodes, chords: on the straight "
+               "beam elements, as other programs do",
        .slot = [](Case& c) -> Slot { return &c.contact.centreline; }},
       {.key = "contact.stiffness",
        .dimension = Dimension::stiffness,

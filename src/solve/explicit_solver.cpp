@@ -33,7 +33,7 @@ ExplicitSolver::ExplicitSolver(const model::Model& model, const ExplicitSettings
       elements_(beam::make_elements(model, settings.mass_scaling, settings.bulk_viscosity)),
       inertia_(beam::lump_inertia(elements_, settings.mass_scaling)),
       work_(model.nodes.size()),
-      contact_(contact::make_contact_elements(model)),
+      contact_(model),
       grips_(model),
       state_(state_at_rest(model)),
       loads_(model.nodes.size()),
@@ -56,7 +56,7 @@ double ExplicitSolver::stable_step_for(double contact_frequency_squared) const {
 void ExplicitSolver::look_at_stable_step() {
   const double speed_squared = largest_speed_squared(state_);
   is_finite_ = !std::isnan(speed_squared);
-  double allowed = stable_step_for(contact_.highest_frequency_squared(inertia_.mass));
+  double allowed = stable_step_for(contact_.highest_frequency_squared(inertia_.mass, inertia_.rotary));
   if (speed_squared > 0) allowed = std::min(allowed, kLargestMove * smallest_radius_ / std::sqrt(speed_squared));
 
   if (allowed < step_in_use_) {
@@ -85,7 +85,9 @@ void ExplicitSolver::step() {
   if (steps_ == 0) step_.before = step_.after;
 
   evaluate();
-  const model::VectorArray velocity_before = settings_.mass_damping > 0 ? state_.velocity : model::VectorArray();
+  const bool damped = settings_.mass_damping > 0;
+  const model::VectorArray velocity_before = damped ? state_.velocity : model::VectorArray();
+  const model::VectorArray angular_before = damped ? state_.angular_velocity : model::VectorArray();
   grips_.apply(inertia_, step_, settings_.mass_damping, state_, loads_);
   const double h = step_.mean();
   impulse_top_ += h * grips_.force_top();
@@ -93,8 +95,9 @@ void ExplicitSolver::step() {
   impulse_time_ += h;
   integrate(inertia_, loads_, step_, settings_.mass_damping, state_);
   for (std::size_t i = 0; i < velocity_before.size(); ++i) {
-    const Vector3 mean = 0.5 * (velocity_before.at(i) + state_.velocity.at(i));
-    mass_damping_loss_ += settings_.mass_damping * h * inertia_.mass[i] * dot(mean, mean);
+    const Vector3 v = 0.5 * (velocity_before.at(i) + state_.velocity.at(i));
+    const Vector3 w = 0.5 * (angular_before.at(i) + state_.angular_velocity.at(i));
+    mass_damping_loss_ += settings_.mass_damping * h * (inertia_.mass[i] * dot(v, v) + inertia_.rotary[i] * dot(w, w));
   }
   step_.before = step_.after;
   forces_are_current_ = false;
@@ -153,7 +156,7 @@ model::Frame ExplicitSolver::frame(int index, const model::HistoryRow& row) cons
     frame.rotations[i] = {state_.rotation.w[i], state_.rotation.x[i], state_.rotation.y[i], state_.rotation.z[i]};
   }
   beam::set_section_results(elements_, state_, frame);
-  contact_.set_contact_results(state_, frame);
+  contact_.set_contact_results(frame);
   return frame;
 }
 

@@ -42,7 +42,7 @@ inline model::Model yarns_through(const std::vector<std::vector<Eigen::Vector3d>
 inline std::vector<Eigen::Vector3d> straight(const Eigen::Vector3d& start, const Eigen::Vector3d& end, int n_elements) {
   std::vector<Eigen::Vector3d> nodes;
   for (int i = 0; i <= n_elements; ++i) {
-    nodes.push_back(start + (end - start) * (static_cast<double>(i) / n_elements));
+    nodes.emplace_back(start + (end - start) * (static_cast<double>(i) / n_elements));
   }
   return nodes;
 }

@@ -1,5 +1,6 @@
 // Beams at rest under large deformation, against theory.
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -7,6 +8,7 @@
 
 #include "../support/beam_case.h"
 #include "../support/relax.h"
+#include "../support/verification.h"
 
 namespace knitmech {
 namespace {
@@ -78,7 +80,13 @@ double cantilever_deflection(double load, int n_elements) {
 
 TEST(Cantilever, GivenADeadTipLoad_ThenItsDeflectionIsThatOfTheElastica) {
   for (const double load : {0.25, 1.0, 2.0, 5.0, 10.0}) {
-    EXPECT_NEAR(cantilever_deflection(load, 40) / elastica_deflection(load), 1.0, 1e-3) << "P L^2 / EI = " << load;
+    test::verify({.chapter = "cantilever",
+                  .of = fmt::format("P L^2 / EI = {}, 40 elements", load),
+                  .quantity = "deflection over length [-]",
+                  .source = "elastica, by shooting",
+                  .reference = elastica_deflection(load),
+                  .computed = cantilever_deflection(load, 40),
+                  .tolerance = 1e-3});
   }
 }
 
@@ -86,7 +94,13 @@ TEST(Cantilever, GivenFinerMeshes_ThenTheDeflectionConvergesWithTheSquareOfTheEl
   const double coarse = cantilever_deflection(2, 10);
   const double middle = cantilever_deflection(2, 20);
   const double fine = cantilever_deflection(2, 40);
-  EXPECT_NEAR(std::log2((coarse - middle) / (middle - fine)), 2.0, 0.1);
+  test::verify({.chapter = "cantilever",
+                .of = "P L^2 / EI = 2, 10 to 40 elements",
+                .quantity = "order of convergence [-]",
+                .source = "linear elements",
+                .reference = 2,
+                .computed = std::log2((coarse - middle) / (middle - fine)),
+                .tolerance = 0.05});
 }
 
 /// Bathe and Bolourchi's 45-degree bend of radius 100 in a plane, clamped, loaded across the plane at its tip.
@@ -94,7 +108,7 @@ Eigen::Vector3d bend_tip(double load, int n_elements) {
   std::vector<Eigen::Vector3d> nodes;
   for (int i = 0; i <= n_elements; ++i) {
     const double angle = std::numbers::pi / 4 * i / n_elements;
-    nodes.push_back({100 * std::sin(angle), 100 * (1 - std::cos(angle)), 0});
+    nodes.emplace_back(100 * std::sin(angle), 100 * (1 - std::cos(angle)), 0.0);
   }
   const model::Model model = test::yarns_through({nodes}, test::section(1e7, 4.1667e6, 8.3333e5, 8.3333e5, 1.0));
   const beam::Elements elements = beam::make_elements(model, 1.0, 0.0);
@@ -112,9 +126,17 @@ Eigen::Vector3d bend_tip(double load, int n_elements) {
 TEST(Bend45, GivenTheLoad600_ThenTheTipIsWhereTheBenchmarkHasIt) {
   // Tip (47.150, 15.685, 53.476) in the axes of the benchmark: x across the clamp's tangent, y along it.
   const Eigen::Vector3d tip = bend_tip(600, 32);
-  EXPECT_NEAR(tip.x(), 47.150, 0.005 * 47.150);
-  EXPECT_NEAR(tip.y(), 15.685, 0.005 * 47.150);
-  EXPECT_NEAR(tip.z(), 53.476, 0.005 * 53.476);
+  const Eigen::Vector3d reference(47.150, 15.685, 53.476);
+  for (const int axis : {0, 1, 2}) {
+    test::verify({.chapter = "bend",
+                  .of = "32 elements, load 600",
+                  .quantity = fmt::format("{} of the tip [mm]", "xyz"[axis]),
+                  .source = "benchmark",
+                  .reference = reference[axis],
+                  .computed = tip[axis],
+                  .tolerance = 0.005,
+                  .scale = 47.150});
+  }
 }
 
 TEST(RollUp, GivenAnEndMomentOf2PiEIOverL_ThenTheYarnClosesToACircle) {
@@ -136,11 +158,23 @@ TEST(RollUp, GivenAnEndMomentOf2PiEIOverL_ThenTheYarnClosesToACircle) {
                     loads.moment.z[n] += share * 2 * std::numbers::pi * bending / length;
                   });
   EXPECT_LT(left, kAtRest);
-  EXPECT_LT(test::vector_at(state.position, n).norm(), 0.01 * length);
+  test::verify({.chapter = "roll-up",
+                .of = "40 elements",
+                .quantity = "distance of the ends over length [-]",
+                .source = "closed circle",
+                .computed = test::vector_at(state.position, n).norm() / length,
+                .tolerance = 0.01,
+                .scale = 1});
   // The farthest node is the diameter away. One integration point: straight chords of a circle, so 1 / cos(pi / n) at
   // most.
   const double diameter = length / std::numbers::pi;
-  EXPECT_NEAR(state.position.y[n / 2], diameter, 0.005 * diameter);
+  test::verify({.chapter = "roll-up",
+                .of = "40 elements",
+                .quantity = "diameter [mm]",
+                .source = "length / pi",
+                .reference = diameter,
+                .computed = state.position.y[n / 2],
+                .tolerance = 0.005});
 }
 
 }  // namespace

@@ -45,7 +45,8 @@ struct Beam {
 /// A crooked yarn of four elements, every node moved and turned at random.
 Beam random_beam(std::mt19937& random, double move, double rotation) {
   std::vector<Eigen::Vector3d> nodes;
-  for (int i = 0; i < 5; ++i) nodes.push_back(Eigen::Vector3d(0.8 * i, 0, 0) + random_vector(random, 0.25));
+  nodes.reserve(5);
+  for (int i = 0; i < 5; ++i) nodes.emplace_back(Eigen::Vector3d(0.8 * i, 0, 0) + random_vector(random, 0.25));
   Beam beam(nodes);
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const Eigen::Vector3d shift = random_vector(random, move);
@@ -63,18 +64,18 @@ Eigen::VectorXd numerical_gradient(Beam beam) {
   const model::State start = beam.state;
   for (std::size_t node = 0; node < n; ++node) {
     for (int axis = 0; axis < 6; ++axis) {
-      double energy[2];
-      for (const int side : {0, 1}) {
-        const Eigen::Vector3d unit = (side == 0 ? h : -h) * Eigen::Vector3d::Unit(axis % 3);
+      double difference = 0;
+      for (const double side : {1.0, -1.0}) {
+        const Eigen::Vector3d unit = side * h * Eigen::Vector3d::Unit(axis % 3);
         beam.state = start;
         if (axis < 3) {
           beam.state.position.add(node, {unit.x(), unit.y(), unit.z()});
         } else {
           set_rotation(beam.state, node, turn(unit) * rotation_of(start, node));
         }
-        energy[side] = beam.energy();
+        difference += side * beam.energy();
       }
-      gradient[static_cast<Eigen::Index>(6 * node) + axis] = (energy[0] - energy[1]) / (2 * h);
+      gradient[static_cast<Eigen::Index>(6 * node) + axis] = difference / (2 * h);
     }
   }
   return gradient;
@@ -124,8 +125,8 @@ TEST(Element, GivenARigidMotion_ThenThereIsNoForceAndNoEnergy) {
       const Eigen::Vector3d moved = rotation * beam.model.nodes[node] + shift;
       beam.state.position.set(node, {moved.x(), moved.y(), moved.z()});
       // q and -q are the same rotation; the element must not care.
-      const Eigen::Quaterniond q = rotation;
-      set_rotation(beam.state, node, node % 2 == 0 ? q : Eigen::Quaterniond(-q.coeffs()));
+      const double sign = node % 2 == 0 ? 1 : -1;
+      set_rotation(beam.state, node, Eigen::Quaterniond(sign * rotation.coeffs()));
     }
     const model::NodalLoads loads = beam.loads();
     for (std::size_t node = 0; node < 5; ++node) {

@@ -56,7 +56,7 @@ std::vector<Eigen::Vector3d> arc(double radius, double length, int n_elements) {
   std::vector<Eigen::Vector3d> nodes;
   for (int i = 0; i <= n_elements; ++i) {
     const double angle = length * i / (n_elements * radius);
-    nodes.push_back({radius * std::sin(angle), radius * std::cos(angle), 0.05 * i});
+    nodes.emplace_back(radius * std::sin(angle), radius * std::cos(angle), 0.05 * i);
   }
   return nodes;
 }

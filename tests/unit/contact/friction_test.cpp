@@ -11,7 +11,7 @@ constexpr double kStiffness = 16.0;  // N/mm
 constexpr double kLimit = 0.01;      // N, mu N
 
 ContactPoint point_with_normal(Vector3 normal, std::int32_t first = 4, std::int32_t second = 90) {
-  return {contact_key(first, second), first, second, 0.5, 0.5, normal, 0.001, 0.12, kStiffness};
+  return {contact_key(first, second), first, second, 0.5, 0.5, normal, 0.001, 0.01, kStiffness, 1e-5};
 }
 
 double stick_limit() {

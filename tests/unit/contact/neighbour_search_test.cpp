@@ -44,11 +44,12 @@ std::vector<ElementPair> brute_force(const ContactElements& elements, const mode
 TEST(NeighbourSearch, GivenRandomTangles_ThenItFindsExactlyThePairsOfAPlainSearch) {
   std::mt19937 random(5);
   for (int trial = 0; trial < 20; ++trial) {
-    const model::Model model = test::yarns_through({tangle(random, 60), tangle(random, 40), tangle(random, 1)},
-                                                   test::section(19, 6, 0.017, 0.012, 1e-11, 0.12));
+    model::Model model = test::yarns_through({tangle(random, 60), tangle(random, 40), tangle(random, 1)},
+                                             test::section(19, 6, 0.017, 0.012, 1e-11, 0.12));
+    model.centreline = model::Centreline::chords;
     const ContactElements elements = make_contact_elements(model);
     const model::State state = test::state_of(model);
-    const auto found = find_neighbours(elements, state.position, 0.05);
+    const auto found = find_neighbours(elements, state.position, std::vector<double>(elements.n_nodes(), 0.0), 0.05);
     const auto expected = brute_force(elements, state.position, 0.05);
     ASSERT_EQ(found.size(), expected.size());
     ASSERT_GT(found.size(), 0U);
@@ -60,17 +61,21 @@ TEST(NeighbourSearch, GivenRandomTangles_ThenItFindsExactlyThePairsOfAPlainSearc
 }
 
 TEST(NeighbourSearch, GivenOneYarnFlungFarAway_ThenTheGridDoesNotGrowWithTheDistance) {
-  const model::Model model = test::yarns_through(
+  model::Model model = test::yarns_through(
       {test::straight({0, 0, 0}, {10, 0, 0}, 20), test::straight({1e6, 1e6, 1e6}, {1e6 + 1, 1e6, 1e6}, 2)},
       test::section(19, 6, 0.017, 0.012, 1e-11, 0.12));
-  EXPECT_TRUE(find_neighbours(make_contact_elements(model), test::state_of(model).position, 0.05).empty());
+  model.centreline = model::Centreline::chords;
+  EXPECT_TRUE(find_neighbours(make_contact_elements(model), test::state_of(model).position,
+                              std::vector<double>(model.nodes.size(), 0.0), 0.05)
+                  .empty());
 }
 
 TEST(NeighbourSearch, GivenElementsShorterThanTheYarnIsThick_ThenOnlyPiecesThatCanTouchAreNeighbours) {
   const double diameter = 0.12;
   const double element = 0.02;
-  const model::Model model = test::yarns_through({test::straight({0, 0, 0}, {2, 0, 0}, 100)},
-                                                 test::section(19, 6, 0.017, 0.012, 1e-11, diameter));
+  model::Model model = test::yarns_through({test::straight({0, 0, 0}, {2, 0, 0}, 100)},
+                                           test::section(19, 6, 0.017, 0.012, 1e-11, diameter));
+  model.centreline = model::Centreline::chords;
   const ContactElements elements = make_contact_elements(model);
   // A half turn with the centreline as tight as the yarn's own radius: arc pi D / 2 between the touching points.
   const double least_arc = std::numbers::pi * diameter / 2;

@@ -83,7 +83,8 @@ TEST(AbaqusReader, ReadsSectionMaterialAndStepInAnyOrderOfOptions) {
 }
 
 TEST(AbaqusReader, ReadsAmplitudesAsLinesBetweenTheirPoints) {
-  const AbaqusDeck::Amplitude& amplitude = deck_of(kForeignDeck).amplitudes.at("PULL");
+  const AbaqusDeck deck = deck_of(kForeignDeck);
+  const AbaqusDeck::Amplitude& amplitude = deck.amplitudes.at("PULL");
   EXPECT_DOUBLE_EQ(amplitude.value(-1), 0);
   EXPECT_DOUBLE_EQ(amplitude.value(0.5), 0.5);
   EXPECT_DOUBLE_EQ(amplitude.value(1.5), 0.75);

@@ -8,10 +8,10 @@
 #include <optional>
 #include <vector>
 
+#include "base/segment_distance.h"
 #include "example_loop.h"
 #include "knit/constants.h"
 #include "knit/fabric_builder.h"
-#include "knit/segment_distance.h"
 
 namespace knitmech::knit {
 namespace {
@@ -27,12 +27,21 @@ std::vector<Approach> approaches_of(const FabricLayout& layout, int pieces = kCu
   return closest_approaches(make_erc(layout.loop), layout, kExampleDiameter, pieces);
 }
 
+double segment_distance(const Eigen::Vector3d& a, const Eigen::Vector3d& a_end, const Eigen::Vector3d& b,
+                        const Eigen::Vector3d& b_end) {
+  const Eigen::Vector3d u = a_end - a;
+  const Eigen::Vector3d v = b_end - b;
+  const ClosestPoints at =
+      closest_points({a.x(), a.y(), a.z()}, {u.x(), u.y(), u.z()}, {b.x(), b.y(), b.z()}, {v.x(), v.y(), v.z()});
+  return (a + at.s * u - b - at.t * v).norm();
+}
+
 /// Least distance of two yarns over all pairs of their elements, without any use of periodicity.
 double distance_by_force(const YarnCurve& a, const YarnCurve& b) {
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i + 1 < a.points.size(); ++i) {
     for (std::size_t j = 0; j + 1 < b.points.size(); ++j) {
-      least = std::min(least, closest_approach(a.points[i], a.points[i + 1], b.points[j], b.points[j + 1]).distance);
+      least = std::min(least, segment_distance(a.points[i], a.points[i + 1], b.points[j], b.points[j + 1]));
     }
   }
   return least;
