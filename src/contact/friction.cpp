@@ -21,6 +21,14 @@ const Entry* find(const std::vector<Entry>& entries, std::uint64_t key) {
   return at != entries.end() && at->key == key ? &*at : nullptr;
 }
 
+/// The first memory of a pair of pieces, whatever its sample.
+const SlipMemory* find_pair(const std::vector<SlipMemory>& memories, std::int32_t first, std::int32_t second) {
+  const std::uint64_t start = contact_key(first, second);
+  const auto at = std::lower_bound(memories.begin(), memories.end(), start,
+                                   [](const SlipMemory& entry, std::uint64_t wanted) { return entry.key < wanted; });
+  return at != memories.end() && at->key < contact_key(first, second + 1) ? &*at : nullptr;
+}
+
 }  // namespace
 
 FrictionStep friction_step(const ContactPoint& point, const SlipMemory* before, Vector3 motion, double limit) {
@@ -47,25 +55,23 @@ const SlipMemory* recall(const std::vector<SlipMemory>& memories, const ContactP
 
 const SlipMemory* recall_moved(const std::vector<SlipMemory>& memories, const std::vector<ContactPoint>& points,
                                const ContactPoint& point) {
-  const unsigned own = sample_of(point.key);
-  const auto take = [&](std::int32_t first, std::int32_t second, unsigned sample) -> const SlipMemory* {
-    const SlipMemory* moved = find(memories, contact_key(first, second, sample));
-    if (moved == nullptr || dot(moved->normal, point.normal) < kSameDirection) return nullptr;
-    return find(points, moved->key) == nullptr ? moved : nullptr;
+  const auto pressed_alike = [&](const SlipMemory* memory) {
+    return memory != nullptr && dot(memory->normal, point.normal) >= kSameDirection;
   };
+  const unsigned own = sample_of(point.key);
+  const SlipMemory* of_pair = nullptr;
   for (const int step_first : {0, -1, 1}) {
     for (const int step_second : {0, -1, 1}) {
       const std::int32_t first = point.first + step_first;
       const std::int32_t second = point.second + step_second;
       if (first < 0 || second < 0) continue;
-      if (const SlipMemory* same = take(first, second, own)) return same;
-      if (own >= kFirstSample) continue;
-      for (const unsigned other : {kWholeCrossing, kFirstHalf, kSecondHalf}) {
-        if (const SlipMemory* moved = take(first, second, other)) return moved;
-      }
+      const SlipMemory* same = find(memories, contact_key(first, second, own));
+      if (pressed_alike(same) && find(points, same->key) == nullptr) return same;
+      const SlipMemory* any = find_pair(memories, first, second);
+      if (of_pair == nullptr && pressed_alike(any)) of_pair = any;
     }
   }
-  return nullptr;
+  return of_pair;
 }
 
 }  // namespace knitmech::contact

@@ -39,9 +39,10 @@ struct FrictionStep {
 /// \param memories by ascending key
 [[nodiscard]] const SlipMemory* recall(const std::vector<SlipMemory>& memories, const ContactPoint& point);
 
-/// Memory of a contact that slid here from an adjacent piece of either yarn, or whose overlap was counted otherwise:
-/// one that pressed in nearly the same direction and is not found in its old place any more. nullptr if there is none.
-/// \param memories by ascending key \param points all contact points of this step, by ascending key
+/// Memory for a contact point that was not there a step before: that of the same place on an adjacent piece of either
+/// yarn, if the contact slid on from it and is not found there any more; else any of the same or an adjacent pair,
+/// whose overlap was counted otherwise a step before. It must have pressed in nearly the same direction. nullptr if
+/// there is none. \param memories by ascending key   \param points all contact points of this step, by ascending key
 [[nodiscard]] const SlipMemory* recall_moved(const std::vector<SlipMemory>& memories,
                                              const std::vector<ContactPoint>& points, const ContactPoint& point);
 

@@ -71,15 +71,15 @@ class PairContact {
     const CurveApproach at = closest_on_curves(first_, second_, places.s, places.t);
     places = {at.s, at.t};
     const double distance = length(at.between);
-    if (distance >= radii_) return at.is_minimum ? distance - radii_ : 0;
-    if (!add_crossing(at, distance)) add_samples();
+    if (at.is_minimum && distance >= radii_) return distance - radii_;
+    // Without a distinct closest place, what Newton's method stopped at says nothing about the rest of the pieces.
+    if (!at.is_minimum || !add_crossing(at, distance)) add_samples();
     return 0;
   }
 
  private:
   /// The overlap about a closest point; false if it is too long for a parabola.
   bool add_crossing(const CurveApproach& at, double distance) {
-    if (!at.is_minimum) return false;
     const double size_s = length(at.first_slope);
     const double size_t_ = length(at.second_slope);
     const double ss = size_s * size_s - dot(at.between, at.first_bend);

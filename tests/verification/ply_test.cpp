@@ -117,7 +117,7 @@ TEST_P(TwoStrandPly, GivenTensionAndTwist_ThenTheAngleOfTheStrandsIsThatOfTheThe
   test::ContactBench bench = plied_yarn(ply, GetParam());
   const double tension = ply.bending / (ply.radius * ply.radius) * theory(kAngle);
   const std::size_t last = bench.last_node(0);
-  const long n_steps = std::lround(14 / (kRate * bench.step));
+  const long n_steps = std::lround(9 / (kRate * bench.step));
   double largest = 0;
   for (long i = 0; i < n_steps; ++i) {
     bench.advance(

@@ -72,10 +72,14 @@ TEST(Friction, GivenAContactThatSlidOnToTheNextElement_ThenItsMemoryIsFound) {
   EXPECT_EQ(found->key, contact_key(4, 90));  // (4, 92) presses the other way: another contact
 }
 
-TEST(Friction, GivenAnAdjacentContactThatIsStillThere_ThenItKeepsItsMemoryToItself) {
-  const std::vector<SlipMemory> memories = {{contact_key(4, 90), {0, 0, 1}, {1, 0, 0}, kStiffness}};
-  const std::vector<ContactPoint> points = {point_with_normal({0, 0, 1}, 4, 90), point_with_normal({0, 0, 1}, 4, 91)};
-  EXPECT_EQ(recall_moved(memories, points, points[1]), nullptr);
+TEST(Friction, GivenAnOverlapThatIsCountedOtherwiseThanBefore_ThenTheMemoryOfThePairIsFound) {
+  const std::vector<SlipMemory> memories = {{contact_key(4, 90, kFirstSample + 7), {0, 0, 1}, {1, 0, 0}, kStiffness}};
+  const ContactPoint whole = point_with_normal({0, 0, 1}, 4, 90);
+  const SlipMemory* found = recall_moved(memories, {whole}, whole);
+  ASSERT_NE(found, nullptr);
+  EXPECT_EQ(found->key, contact_key(4, 90, kFirstSample + 7));
+  const ContactPoint elsewhere = point_with_normal({0, 0, 1}, 4, 95);
+  EXPECT_EQ(recall_moved(memories, {elsewhere}, elsewhere), nullptr);
 }
 
 }  // namespace
