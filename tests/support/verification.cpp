@@ -21,7 +21,7 @@ std::ofstream rows_of_running_test() {
   std::filesystem::create_directories(folder);
   const bool is_first = name != written_last;
   written_last = name;
-  return std::ofstream(folder / (name + ".tsv"), is_first ? std::ios::trunc : std::ios::app);
+  return std::ofstream{folder / (name + ".tsv"), is_first ? std::ios::trunc : std::ios::app};
 }
 
 }  // namespace

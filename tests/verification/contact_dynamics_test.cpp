@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <vector>
 
 #include "../support/centrelines.h"
 #include "../support/contact_bench.h"
@@ -74,8 +75,8 @@ void throw_yarn_on_yarn(const Throw& flight, double friction, model::Centreline 
 }
 
 TEST_P(Collision, GivenAYarnThatIsThrownOnAYarn_ThenEnergyAndMomentumAreKept) {
-  const Throw throws[] = {{"thrown across, aslant, at 2 m/s", std::numbers::pi / 2, 0.3, {500, 0, -2000}},
-                          {"thrown alongside, at 0.5 m/s", 0.02, 0.3, {0, 0, -500}}};
+  const std::vector<Throw> throws = {{"thrown across, aslant, at 2 m/s", std::numbers::pi / 2, 0.3, {500, 0, -2000}},
+                                     {"thrown alongside, at 0.5 m/s", 0.02, 0.3, {0, 0, -500}}};
   for (const Throw& flight : throws) {
     for (const double friction : {0.0, 0.3}) throw_yarn_on_yarn(flight, friction, GetParam());
   }
@@ -90,9 +91,9 @@ constexpr double kLimit = kFriction * kPressure;
 /// A short yarn that lies across a held one and moves as one piece: a rigid block, pressed on by a dead load.
 struct Block {
   test::ContactBench yarns;
-  double mass;  ///< [t]
+  double mass = 0;  ///< [t]
 
-  explicit Block(model::Centreline centreline) : yarns(model_of(centreline)), mass(0) {
+  explicit Block(model::Centreline centreline) : yarns(model_of(centreline)) {
     for (std::size_t i = yarns.first_node(1); i <= yarns.last_node(1); ++i) mass += yarns.inertia.mass[i];
   }
   /// Elements of 0.2 mm; no node of the one lies on a node of the other.
@@ -141,7 +142,7 @@ Eigen::Vector3d direction(double angle) {
 
 class StickSlip : public testing::TestWithParam<model::Centreline> {
  protected:
-  [[nodiscard]] std::string here(const std::string& of) const { return of + ", " + test::name_of(GetParam()); }
+  [[nodiscard]] static std::string here(const std::string& of) { return of + ", " + test::name_of(GetParam()); }
 };
 KNITMECH_WITH_EVERY_CENTRELINE(StickSlip);
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <vector>
 
 #include "../support/centrelines.h"
 #include "../support/slide.h"
@@ -163,7 +164,7 @@ TEST_P(Sliding, GivenTheMeshesN10ToN80_ThenTheForceIsTheSame) {
     test::SlidingForce (*slide)(double element, model::Centreline centreline);
     double smooth_at_n10;  ///< tolerance of the coarsest mesh, whose cubics leave an arc by 1 um
   };
-  const Contact contacts[] = {
+  const std::vector<Contact> contacts = {
       {"straight yarns, crossing", [](double h, model::Centreline c) { return slide_across(pi / 2, h, c); }, 0.01},
       {"outside of a head arc, crossing", [](double h, model::Centreline c) { return slide_across_arc(true, h, c); },
        0.2},

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "../support/centrelines.h"
 #include "../support/contact_bench.h"
@@ -60,10 +61,10 @@ class CrossedBeams : public testing::TestWithParam<model::Centreline> {};
 KNITMECH_WITH_EVERY_CENTRELINE(CrossedBeams);
 
 TEST_P(CrossedBeams, GivenALoadOnTheUpperOne_ThenItIsSharedAsTheStiffnessesSay) {
-  const Crossing crossings[] = {{"equal beams, crossing at their middles (at nodes)", 1, 0.5},
-                                {"lower beam four times stiffer", 4, 0.5},
-                                {"lower beam crossed at 0.3 of its span (at a node)", 1, 0.3},
-                                {"lower beam crossed at 0.325 of its span (amid an element)", 1, 0.325}};
+  const std::vector<Crossing> crossings = {{"equal beams, crossing at their middles (at nodes)", 1, 0.5},
+                                           {"lower beam four times stiffer", 4, 0.5},
+                                           {"lower beam crossed at 0.3 of its span (at a node)", 1, 0.3},
+                                           {"lower beam crossed at 0.325 of its span (amid an element)", 1, 0.325}};
   for (const Crossing& crossing : crossings) {
     const double upper = flexibility(test::monofilament().bending_stiffness, 0.5);
     const double lower = flexibility(crossing.stiffer * test::monofilament().bending_stiffness, crossing.share_lower);

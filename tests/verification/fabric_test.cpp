@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <vector>
 
 #include "../support/centrelines.h"
@@ -56,7 +57,7 @@ Result run(const model::Case& input, double mass_scaling) {
   return result;
 }
 
-constexpr double kStrains[] = {0.144, 0.193, 0.242, 0.292};
+constexpr std::array kStrains = {0.144, 0.193, 0.242, 0.292};
 
 /// A mesh of the reference fabric, and what is known of its external work.
 struct Mesh {
