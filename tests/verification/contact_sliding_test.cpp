@@ -121,7 +121,7 @@ struct Allowed {
 
 class Sliding : public testing::TestWithParam<model::Centreline> {
  protected:
-  void verify_ripple(const std::string& of, const test::SlidingForce& force, Allowed allowed) const {
+  static void verify_ripple(const std::string& of, const test::SlidingForce& force, Allowed allowed) {
     const bool on_chords = GetParam() == model::Centreline::chords;
     test::verify({.chapter = "sliding",
                   .of = of + ", " + test::name_of(GetParam()),

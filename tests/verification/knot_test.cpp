@@ -24,9 +24,9 @@ using std::numbers::pi;
 /// A knot of looseness e = sqrt(h / R), the radius R of its loop being the shortening of the yarn over 2 pi.
 struct Knot {
   double looseness;  ///< e [-]
-  double loop_radius = 1 / (looseness * looseness);
-  double half_braid = 1.5 * looseness * loop_radius;
-  double tail = 5 * loop_radius;
+  [[nodiscard]] double loop_radius() const { return 1 / (looseness * looseness); }
+  [[nodiscard]] double half_braid() const { return 1.5 * looseness * loop_radius(); }
+  [[nodiscard]] double tail() const { return 5 * loop_radius(); }
   [[nodiscard]] double pull_in_theory() const { return std::pow(looseness, 4) / 2; }  ///< F, without friction
 };
 
@@ -35,8 +35,8 @@ struct Knot {
 std::vector<Eigen::Vector3d> drawn(const Knot& knot) {
   constexpr double kFine = 0.01;   // mm
   constexpr double kApart = 1.15;  // half the distance of the strands in the braid
-  const double b = knot.half_braid;
-  const double bend = knot.loop_radius - 2 * b / pi;
+  const double b = knot.half_braid();
+  const double bend = knot.loop_radius() - 2 * b / pi;
   std::vector<Eigen::Vector3d> line;
   const auto strand = [&](double side) {
     for (double x = -b; x < b; x += kFine) {
@@ -49,13 +49,13 @@ std::vector<Eigen::Vector3d> drawn(const Knot& knot) {
       line.emplace_back(middle + bend * std::sin(a), kApart + bend * (1 - std::cos(a)), 0);
     }
   };
-  for (double x = -b - knot.tail; x < -b; x += kFine) line.emplace_back(x, -kApart, 0);
+  for (double x = -b - knot.tail(); x < -b; x += kFine) line.emplace_back(x, -kApart, 0);
   strand(1);
   half_circle(b, 0);
   for (double x = b; x > -b; x -= kFine) line.emplace_back(x, kApart + 2 * bend, 0);
   half_circle(-b, pi);
   strand(-1);
-  for (double x = b; x < b + knot.tail; x += kFine) line.emplace_back(x, -kApart, 0);
+  for (double x = b; x < b + knot.tail(); x += kFine) line.emplace_back(x, -kApart, 0);
   return line;
 }
 
@@ -63,11 +63,11 @@ std::vector<Eigen::Vector3d> drawn(const Knot& knot) {
 std::vector<double> node_places(const Knot& knot, double length) {
   const double close = 0.3 / knot.looseness;
   const double wide = 4 * close;
-  const double braid = 3 * knot.half_braid;  // with room for the knot to change its shape
+  const double braid = 3 * knot.half_braid();  // with room for the knot to change its shape
   std::vector<double> places{0};
   while (places.back() < length) {
     const double from_middle = std::abs(places.back() - length / 2);
-    const bool is_braid = std::abs(from_middle - (pi * knot.loop_radius)) < braid;
+    const bool is_braid = std::abs(from_middle - (pi * knot.loop_radius())) < braid;
     places.push_back(places.back() + (is_braid ? close : wide));
   }
   for (double& place : places) place *= length / places.back();
@@ -139,7 +139,7 @@ Measured measure(Tied& knot) {
 
 /// Half the critical damping of the loop as a spring [1/s].
 double rate_of(const Knot& knot) {
-  return 0.4 / (knot.loop_radius * knot.loop_radius);
+  return 0.4 / (knot.loop_radius() * knot.loop_radius());
 }
 
 /// Value at e = 0 of the parabola that fits numbers at several e best.
@@ -157,7 +157,7 @@ double at_zero(const std::vector<Measured>& knots, double Measured::*number) {
 
 class OverhandKnot : public testing::TestWithParam<model::Centreline> {
  protected:
-  [[nodiscard]] std::string here(const std::string& of) const { return of + ", " + test::name_of(GetParam()); }
+  [[nodiscard]] static std::string here(const std::string& of) { return of + ", " + test::name_of(GetParam()); }
 };
 KNITMECH_WITH_EVERY_CENTRELINE(OverhandKnot);
 

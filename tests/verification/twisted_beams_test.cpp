@@ -61,6 +61,7 @@ test::ContactBench twisted_beams(const Twisted& shape, double stiffness, model::
   const Eigen::Matrix3d half_turn = Eigen::AngleAxisd(pi, Eigen::Vector3d::UnitZ()).toRotationMatrix();
   std::vector<test::Place> first = test::along([&](double s) { return helix.at(s); }, shape.length, kElements).places;
   std::vector<test::Place> second;
+  second.reserve(first.size());
   for (const test::Place& place : first) second.push_back({half_turn * place.position, half_turn * place.tangent});
   test::bend_to(bench.model, 0, first, bench.state);
   test::bend_to(bench.model, 1, second, bench.state);
@@ -71,13 +72,14 @@ test::ContactBench twisted_beams(const Twisted& shape, double stiffness, model::
 double force_on_middle(test::ContactBench& bench) {
   const model::NodalLoads loads = bench.contact_loads();
   double sum = 0;
-  const int n = kElements / 2;
-  for (int i = 0; i < n; ++i) {
-    const Eigen::Vector3d at = test::vector_at(bench.state.position, static_cast<std::size_t>(kElements / 4 + i));
-    const Eigen::Vector3d force = test::vector_at(loads.force, static_cast<std::size_t>(kElements / 4 + i));
+  constexpr std::size_t kFirst = kElements / 4;
+  constexpr std::size_t kNodes = kElements / 2;
+  for (std::size_t node = kFirst; node < kFirst + kNodes; ++node) {
+    const Eigen::Vector3d at = test::vector_at(bench.state.position, node);
+    const Eigen::Vector3d force = test::vector_at(loads.force, node);
     sum += force.head<2>().dot(at.head<2>().normalized());
   }
-  return sum / (n * kLength / kElements);
+  return sum / (kNodes * kLength / kElements);
 }
 
 class TwistedBeams : public testing::TestWithParam<model::Centreline> {};
