@@ -96,7 +96,8 @@ ExitCode run_command(const RunOptions& options) {
 
   const auto quality = results::assess_quality(results.history(), outcome, model.sections.front().diameter);
   if (talks) {
-    fmt::print("{}{}", run_end_text(outcome, results.history().back(), quality), paths_text(folder, options.pictures));
+    fmt::print("{}{}", run_end_text(model, outcome, results.history().back(), quality),
+               paths_text(folder, options.pictures));
   }
   if (options.json) fmt::print("{}\n", run_json(results::read_file(folder / "summary.json"), folder));
   std::fflush(stdout);

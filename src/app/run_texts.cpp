@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "base/quantity.h"
+#include "results/ravelling.h"
 
 namespace knitmech::app {
 namespace {
@@ -45,6 +46,16 @@ std::string gap_text(const std::optional<knit::Approach>& approach) {
 
 double degrees(double angle) {
   return angle * 180 / std::numbers::pi;
+}
+
+std::string contacts_text(const model::HistoryRow& last, const results::Quality& quality) {
+  return fmt::format("{} contacts with {} in all; the largest elastic slip of the run is {} of the yarn diameter",
+                     last.contacts, force_text(last.normal_force), percent_text(quality.elastic_slip_ratio));
+}
+
+std::string crossings_text(const model::RunOutcome& outcome) {
+  if (outcome.lost_crossings > 0) return "one was lost";
+  return fmt::format("all kept, no yarn went through another in {} checks", outcome.crossing_checks);
 }
 
 }  // namespace
@@ -104,11 +115,14 @@ std::string run_head_text(const LoadedCase& loaded, const model::FabricFacts& fa
   return text;
 }
 
-std::string run_end_text(const model::RunOutcome& outcome, const model::HistoryRow& last,
+std::string run_end_text(const model::Model& model, const model::RunOutcome& outcome, const model::HistoryRow& last,
                          const results::Quality& quality) {
   const char* const how = outcome.status == model::RunStatus::completed ? "Reached" : "Stopped at";
-  return fmt::format("{} {} strain with {} after {} ({} steps).\nQuality: {}\n", how, percent_text(outcome.strain),
-                     force_text(last.force_top), duration_text(outcome.wall_seconds), outcome.steps, quality.verdict);
+  const std::string ravelling = results::ravelling_text(model, outcome);
+  return fmt::format("{} {} strain with {} after {} ({} steps).\nContact: {}.\nCrossings: {}.\n{}Quality: {}\n", how,
+                     percent_text(outcome.strain), force_text(last.force_top), duration_text(outcome.wall_seconds),
+                     outcome.steps, contacts_text(last, quality), crossings_text(outcome),
+                     ravelling.empty() ? "" : ravelling + "\n", quality.verdict);
 }
 
 }  // namespace knitmech::app

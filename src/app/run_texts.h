@@ -28,7 +28,7 @@ namespace knitmech::app {
                                         const std::filesystem::path& folder);
 
 /// What `run` prints of a run that has ended, as it should or not.
-[[nodiscard]] std::string run_end_text(const model::RunOutcome& outcome, const model::HistoryRow& last,
-                                       const results::Quality& quality);
+[[nodiscard]] std::string run_end_text(const model::Model& model, const model::RunOutcome& outcome,
+                                       const model::HistoryRow& last, const results::Quality& quality);
 
 }  // namespace knitmech::app

@@ -1,34 +1,101 @@
+#include "contact/chord_contacts.h"
+
+#include <algorithm>
+
 #include "base/segment_distance.h"
-#include "contact/contact_points.h"
+#include "contact/constants.h"
 #include "contact/normal_law.h"
 
 namespace knitmech::contact {
 
-void find_chord_contacts(const ContactElements& elements, const std::vector<ElementPair>& pairs,
-                         const model::VectorArray& position, PairClock& clock, std::vector<ContactPoint>& found) {
-  found.clear();
-  for (std::size_t p = 0; p < pairs.size(); ++p) {
-    if (clock.may_sleep(p)) continue;
-    const ElementPair pair = pairs[p];
+namespace {
+
+const ChordContact* find(const std::vector<ChordContact>& contacts, std::uint64_t key) {
+  const auto at = std::lower_bound(contacts.begin(), contacts.end(), key,
+                                   [](const ChordContact& entry, std::uint64_t wanted) { return entry.key < wanted; });
+  return at != contacts.end() && at->key == key ? &*at : nullptr;
+}
+
+/// The contact of a step before that slid on to a chord of this one; nullptr if there was none.
+const ChordContact* moved_from(const std::vector<ChordContact>& before, const std::vector<ChordContact>& now,
+                               const ContactPoint& point) {
+  for (const int step_first : {0, -1, 1}) {
+    for (const int step_second : {0, -1, 1}) {
+      const std::int32_t first = point.first.element + step_first;
+      const std::int32_t second = point.second.element + step_second;
+      if (first < 0 || second < 0) continue;
+      const ChordContact* same = find(before, chord_key(first, second));
+      if (same == nullptr || dot(same->point.normal, point.normal) < kSameDirection) continue;
+      if (find(now, same->key) == nullptr) return same;
+    }
+  }
+  return nullptr;
+}
+
+/// Closest points of two chords.
+struct Approach {
+  ClosestPoints places;
+  Vector3 between;  ///< from the first to the second [mm]
+};
+
+Approach approach(const model::VectorArray& position, std::size_t i, std::size_t j) {
+  const Vector3 start_first = position.at(i);
+  const Vector3 start_second = position.at(j);
+  const Vector3 along_first = position.at(i + 1) - start_first;
+  const Vector3 along_second = position.at(j + 1) - start_second;
+  const ClosestPoints at = closest_points(start_first, along_first, start_second, along_second);
+  return {at, start_second + at.t * along_second - start_first - at.s * along_first};
+}
+
+}  // namespace
+
+void look_at_chords(const ContactElements& elements, const model::VectorArray& position, const Motion& motion,
+                    PairWatch& watch, std::vector<ElementPair>& near) {
+  near.clear();
+  watch.look_at_all(elements, motion, [&](ElementPair pair) {
     const auto i = static_cast<std::size_t>(pair.first);
     const auto j = static_cast<std::size_t>(pair.second);
-    const Vector3 start_first = position.at(i);
-    const Vector3 start_second = position.at(j);
-    const Vector3 along_first = position.at(i + 1) - start_first;
-    const Vector3 along_second = position.at(j + 1) - start_second;
-    const ClosestPoints at = closest_points(start_first, along_first, start_second, along_second);
-    const Vector3 between = start_second + at.t * along_second - start_first - at.s * along_first;
     const double radii = elements.radius[i] + elements.radius[j];
-    const double distance = length(between);
-    if (distance >= radii) {
-      clock.sleep(p, distance - radii);
-      continue;
-    }
+    const double gap = length(approach(position, i, j).between) - radii;
+    if (gap > kFollowed * radii) return gap - kFollowed * radii;
+    near.push_back(pair);
+    return 0.0;
+  });
+}
+
+void find_chord_contacts(const YarnElements& elements, const std::vector<ElementPair>& near,
+                         const model::VectorArray& position, double stiffness, std::vector<ChordContact>& found) {
+  found.clear();
+  for (const ElementPair pair : near) {
+    const auto i = static_cast<std::size_t>(pair.first);
+    const auto j = static_cast<std::size_t>(pair.second);
+    const Approach at = approach(position, i, j);
+    const double radii = elements.radius[i] + elements.radius[j];
+    const double distance = length(at.between);
+    if (distance >= radii) continue;
     const double penetration = radii - distance;
-    found.push_back({contact_key(pair.first, pair.second), pair.first, pair.second, at.s, at.t,
-                     (1 / distance) * between, penetration, elements.stiffness * normal_force(penetration, radii),
-                     elements.stiffness * normal_tangent(penetration, radii),
-                     elements.stiffness * normal_energy(penetration, radii)});
+    found.push_back({chord_key(pair.first, pair.second),
+                     {.first = {pair.first, at.places.s},
+                      .second = {pair.second, at.places.t},
+                      .normal = (1 / distance) * at.between,
+                      .penetration = penetration,
+                      .load = stiffness * normal_force(penetration, radii),
+                      .tangent = stiffness * normal_tangent(penetration, radii),
+                      .energy = stiffness * normal_energy(penetration, radii),
+                      .stick_stiffness = kStickStiffness * stiffness,
+                      .stick = {}}});
+  }
+}
+
+void recall(const std::vector<ChordContact>& before, std::vector<ChordContact>& now) {
+  auto old = before.begin();
+  for (ChordContact& contact : now) {
+    while (old != before.end() && old->key < contact.key) ++old;
+    if (old != before.end() && old->key == contact.key) {
+      contact.point.stick = old->point.stick;
+    } else if (const ChordContact* moved = moved_from(before, now, contact.point)) {
+      contact.point.stick = moved->point.stick;
+    }
   }
 }
 

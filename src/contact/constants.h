@@ -11,20 +11,34 @@ inline constexpr double kSkin = 0.4;
 /// there, the yarn would have to be bent tighter than its own radius. Smaller would lock short elements.
 inline constexpr double kSelfContactArc = 0.5;
 
-/// Line stiffness of contact on the smooth centreline, times the diameter, over the stiffness K of a crossing [-]: with
-/// it, two straight yarns that cross at a right angle with a penetration of 5 % of D press with K times the
-/// penetration.
-inline constexpr double kLineStiffness = 2.37;
+/// Penetration, as a share of the sum of the radii [-], at which two straight yarns that cross at a right angle on the
+/// smooth centreline press with the stiffness K of a crossing times the penetration. Smaller: harder contact under the
+/// small forces of a loose fabric, and smaller time steps under large ones.
+inline constexpr double kReferenceOverlap = 0.02;
 
-/// Half the length over which two yarns overlap [yarn diameters], up to which the gap is taken as a parabola about the
-/// closest point. Longer overlaps are sampled. Larger: faster, less exact where yarns lie side by side.
-inline constexpr double kShortOverlap = 0.6;
+/// Size of an overlap, root of the sum of the squares of its half lengths along both yarns, in units of the sum of the
+/// radii: one that grows beyond the second is sampled along the yarns, one that shrinks below the first is integrated
+/// about its closest places. Larger: faster, less exact where curved yarns lie side by side.
+inline constexpr double kShortOverlap = 0.8;
+inline constexpr double kLongOverlap = 1.2;
 
-/// Distance of the samples in long overlaps, in yarn diameters [-]; the shortest of these overlaps then has five.
-inline constexpr double kSampleSpacing = 0.25;
+/// Least penetration with which the size of an overlap is judged [sums of the radii]: yarns that lie side by side and
+/// hardly touch are sampled all the same, although the gap between them undulates with the elements.
+inline constexpr double kJudgedOverlap = 0.01;
 
-/// Most samples on one element [-]; an element that needs more is longer than 30 diameters and much too coarse.
-inline constexpr double kMostSamples = 120;
+/// Distance of the samples in long overlaps, in units of the sum of the radii [-].
+inline constexpr double kSampleSpacing = 0.2;
+
+/// Most samples on one element [-]; an element that needs more is far too coarse.
+inline constexpr int kMostSamples = 400;
+
+/// How near yarns are followed before they touch, and how much they may move until pairs that touch are searched for
+/// new contacts [sums of the radii]. The first must be more than twice the second, since both yarns move.
+inline constexpr double kFollowed = 0.05;
+inline constexpr double kLookAgain = 0.02;
+
+/// Least motion between two looks at any pairs [sums of the radii]: looks that are due soon are done together.
+inline constexpr double kLookTogether = 0.005;
 
 /// Largest turn of a piece of the smooth centreline in the stress-free yarn [rad]. Elements that turn by more are cut
 /// for the contact: two pieces that hardly bend come closest in one place. Smaller: more pieces, more pairs to look at.
@@ -34,8 +48,9 @@ inline constexpr double kPieceTurn = 0.25;
 inline constexpr int kFewestPieces = 2;
 inline constexpr int kMostPieces = 16;
 
-/// Stiffness of the elastic stick, as a share of the normal penalty [-]. 1: the elastic slip before sliding is mu times
-/// the penetration, far below the yarn diameter. Larger asks for smaller time steps.
+/// Stiffness of the elastic stick of a crossing, as a share of its normal stiffness K [-]; long overlaps have it per
+/// sum of the radii of their length. 1: the elastic slip before sliding is mu N / K, far below the yarn diameter.
+/// Larger asks for smaller time steps.
 inline constexpr double kStickStiffness = 1.0;
 
 /// Least cosine between the directions of a contact before and after it slides on to the next element [-]; the chords

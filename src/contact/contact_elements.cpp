@@ -36,11 +36,7 @@ ContactElements make_contact_elements(const model::Model& model) {
   elements.yarn.assign(n, 0);
   elements.exists.assign(n, 0);
   elements.radius.assign(n, 0.0);
-  elements.curve_length.assign(n, 0.0);
   elements.arc_length.assign(n, 0.0);
-  elements.centreline = model.centreline;
-  elements.friction = model.friction;
-  elements.stiffness = model.contact_stiffness;
   for (std::size_t y = 0; y < model.yarns.size(); ++y) {
     const model::ModelYarn& yarn = model.yarns[y];
     const double radius = 0.5 * model.sections[static_cast<std::size_t>(yarn.section)].diameter;
@@ -54,7 +50,6 @@ ContactElements make_contact_elements(const model::Model& model) {
       elements.yarn[p] = static_cast<std::int32_t>(y);
       elements.radius[p] = radius;
       elements.exists[p] = is_last ? 0 : 1;
-      elements.curve_length[p] = length;
       elements.arc_length[p] = model.arc_length[i] + static_cast<double>(p % m) * length;
     }
   }

@@ -1,36 +1,82 @@
 #pragma once
 
 #include <cmath>
+#include <numbers>
+
+#include "base/vectorise.h"
 
 namespace knitmech::contact {
 
 /// The "hard" normal law: no force across a gap, and one that grows without bound before two centrelines meet.
 ///
-/// With penetration d and sum of the radii D (0 < d < D), for a stiffness K:
+/// With penetration d and sum of the radii D (0 < d < D), for a stiffness of one:
 ///
-///     force    K d D / (D - d)
-///     tangent  K D^2 / (D - d)^2
-///     energy   K D (-d - D ln(1 - d / D))  =  K d^2 / 2 + K d^3 / (3 D) + ...
+///     force    f(d) = d D / (D - d)
+///     tangent  D^2 / (D - d)^2
+///     energy   e(d) = D (-d - D ln(1 - d / D))  =  d^2 / 2 + d^3 / (3 D) + ...
 ///
-/// A penalty of bounded force would let a yarn be pulled through another; this one cannot at any load.
+/// A penalty of bounded force would let a yarn be pulled through another; this one cannot at any load. On chords it is
+/// the law of a contact point; on the smooth centreline that of every pair of short pieces (line_potential.h), and what
+/// is below are its integrals over the overlap of two yarns.
 
-/// Force per stiffness [mm].
-inline double normal_force(double penetration, double radii) {
+/// d / D below which the series are exact to rounding.
+inline constexpr double kSmallOverlap = 0.02;
+
+/// Force f [mm].
+KNITMECH_INLINE double normal_force(double penetration, double radii) {
   return penetration * radii / (radii - penetration);
 }
 
-/// Tangent per stiffness [-].
-inline double normal_tangent(double penetration, double radii) {
+/// Tangent [-].
+KNITMECH_INLINE double normal_tangent(double penetration, double radii) {
   const double growth = radii / (radii - penetration);
   return growth * growth;
 }
 
-/// Energy per stiffness [mm^2]; by its series D^2 (x^2 / 2 + x^3 / 3 + ...), x = d / D, where few terms of it are
-/// exact.
-inline double normal_energy(double penetration, double radii) {
+/// Energy e [mm^2]; by its series D^2 (x^2 / 2 + x^3 / 3 + ...), x = d / D, where few terms of it are exact.
+KNITMECH_INLINE double normal_energy(double penetration, double radii) {
   const double x = penetration / radii;
-  if (x > 0.02) return radii * radii * (-x - std::log1p(-x));
+  if (x > kSmallOverlap) return radii * radii * (-x - std::log1p(-x));
   return radii * radii * x * x * (1.0 / 2 + x * (1.0 / 3 + x * (1.0 / 4 + x * (1.0 / 5 + x * (1.0 / 6 + x / 7)))));
+}
+
+/// Integral of the energy over the penetration [mm^3]: D^3 (x - x^2 / 2 + (1 - x) ln(1 - x)) = d^3 / 6 + ...
+KNITMECH_INLINE double integral_of_energy(double penetration, double radii) {
+  const double x = penetration / radii;
+  const double cube = radii * radii * radii;
+  if (x > kSmallOverlap) return cube * (x - 0.5 * x * x + (1 - x) * std::log1p(-x));
+  return cube * x * x * x *
+         (1.0 / 6 + x * (1.0 / 12 + x * (1.0 / 20 + x * (1.0 / 30 + x * (1.0 / 42 + x * (1.0 / 56))))));
+}
+
+/// The law integrated across a strip on which the penetration falls as a parabola: over all y with d > y^2 / 2.
+struct StripLaw {
+  double force;    ///< integral of f(d - y^2 / 2) dy [mm^(3/2)]  =  (4 sqrt 2 / 3) d^(3/2) + ...
+  double tangent;  ///< its derivative by d [mm^(1/2)]
+  double energy;   ///< integral of e(d - y^2 / 2) dy [mm^(5/2)]  =  (8 sqrt 2 / 15) d^(5/2) + ...
+};
+
+/// With q = sqrt(d / D) and a = arcsin q:
+///
+///     force    2 sqrt 2 D^(3/2) (a / sqrt(1 - q^2) - q)
+///     tangent  sqrt 2 D^(1/2) (q + a / sqrt(1 - q^2)) / (1 - q^2)
+///     energy   4 sqrt 2 D^(5/2) (q - sqrt(1 - q^2) a - q^3 / 3)
+KNITMECH_INLINE StripLaw strip_law(double penetration, double radii) {
+  constexpr double kRoot2 = std::numbers::sqrt2;
+  const double x = penetration / radii;
+  const double q = std::sqrt(x);
+  const double root = std::sqrt(radii);
+  if (x > kSmallOverlap) {
+    const double along = std::sqrt(1 - x);
+    const double a = std::asin(q);
+    return {2 * kRoot2 * radii * root * (a / along - q), kRoot2 * root * (q + a / along) / (1 - x),
+            4 * kRoot2 * radii * radii * root * (q - along * a - q * x / 3)};
+  }
+  const double force = 2.0 / 3 + x * (8.0 / 15 + x * (16.0 / 35 + x * (128.0 / 315 + x * (256.0 / 693))));
+  const double slope = 1 + x * (4.0 / 3 + x * (8.0 / 5 + x * (64.0 / 35 + x * (128.0 / 63))));
+  const double energy = 2.0 / 15 + x * (8.0 / 105 + x * (16.0 / 315 + x * (128.0 / 3465 + x * (256.0 / 9009))));
+  return {2 * kRoot2 * radii * root * q * x * force, 2 * kRoot2 * root * q * slope,
+          4 * kRoot2 * radii * radii * root * q * x * x * energy};
 }
 
 }  // namespace knitmech::contact

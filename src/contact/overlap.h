@@ -1,54 +1,57 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-
-#include "contact/normal_law.h"
 
 namespace knitmech::contact {
 
 /// The gap of one yarn to another about a place, along the yarn: g(x) = -depth + slope x + curvature x^2 / 2, for x
-/// between the ends of the element.
+/// between its ends.
 struct GapParabola {
   double depth;      ///< [mm], penetration at x = 0, > 0
   double slope;      ///< [-]
   double curvature;  ///< [1/mm], > 0
-  double low, high;  ///< [mm], low <= 0 <= high
+  double low, high;  ///< [mm], where the yarn ends; low <= 0 <= high
 };
 
-/// Resultant of the normal law over the overlap of a parabola, per line stiffness.
-struct Overlap {
-  double load = 0;         ///< integral of the force [mm^2]
-  double tangent = 0;      ///< integral of its tangent [mm]
-  double energy = 0;       ///< integral of the energy [mm^3]
-  double centre = 0;       ///< [mm], where the resultant acts
-  double half_length = 0;  ///< [mm], of the overlap
+/// What a law gives at one place.
+struct LawValues {
+  double force, tangent, energy;
 };
 
-/// Integrates the normal law where the gap is negative, by three Gauss points: exact for the linear penalty, whose
-/// energy is a polynomial of fourth degree there.
-inline Overlap integrate(const GapParabola& gap, double radii) {
-  constexpr double kNode = 0.774596669241483377;  // sqrt(3 / 5)
+/// A law integrated along the overlap of a parabola with a yarn that ends within it.
+struct CutOverlap {
+  LawValues sum{};
+  double centre = 0;  ///< [mm], where the resultant acts
+};
+
+/// Integrates law(depth) along x where the gap is negative and the yarn is, by five Gauss points.
+template <typename Law>
+CutOverlap integrate_cut(const GapParabola& gap, const Law& law) {
+  constexpr std::array<double, 5> kNodes = {-0.906179845938664, -0.538469310105683, 0, 0.538469310105683,
+                                            0.906179845938664};
+  constexpr std::array<double, 5> kWeights = {0.236926885056189, 0.478628670499366, 0.568888888888889,
+                                              0.478628670499366, 0.236926885056189};
   const double root = std::sqrt(gap.slope * gap.slope + 2 * gap.curvature * gap.depth);
   const double from = std::max(gap.low, (-gap.slope - root) / gap.curvature);
   const double to = std::min(gap.high, (-gap.slope + root) / gap.curvature);
   const double half = 0.5 * (to - from);
   const double middle = 0.5 * (to + from);
-  Overlap overlap;
-  overlap.half_length = half;
+  CutOverlap overlap;
   double moment = 0;
-  for (const double node : {-kNode, 0.0, kNode}) {
-    const double weight = (node == 0.0 ? 8.0 / 9 : 5.0 / 9) * half;
-    const double x = middle + node * half;
+  for (std::size_t k = 0; k < kNodes.size(); ++k) {
+    const double x = middle + kNodes[k] * half;
     const double depth = gap.depth - x * (gap.slope + 0.5 * gap.curvature * x);
     if (depth <= 0) continue;  // rounding, at the ends of a vanishing overlap
-    const double load = weight * normal_force(depth, radii);
-    overlap.load += load;
-    overlap.tangent += weight * normal_tangent(depth, radii);
-    overlap.energy += weight * normal_energy(depth, radii);
-    moment += load * x;
+    const LawValues here = law(depth);
+    const double weight = kWeights[k] * half;
+    overlap.sum.force += weight * here.force;
+    overlap.sum.tangent += weight * here.tangent;
+    overlap.sum.energy += weight * here.energy;
+    moment += weight * here.force * x;
   }
-  if (overlap.load > 0) overlap.centre = moment / overlap.load;
+  if (overlap.sum.force > 0) overlap.centre = moment / overlap.sum.force;
   return overlap;
 }
 

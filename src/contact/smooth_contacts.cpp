@@ -1,187 +1,176 @@
 #include "contact/smooth_contacts.h"
 
-#include <algorithm>
 #include <cmath>
+#include <numbers>
 
-#include "base/segment_distance.h"
+#include "contact/closest_places.h"
 #include "contact/constants.h"
-#include "contact/curve_distance.h"
-#include "contact/normal_law.h"
-#include "contact/overlap.h"
+#include "contact/yarn_end.h"
 
 namespace knitmech::contact {
 
 namespace {
 
-Vector3 unit(Vector3 v) {
-  return (1 / length(v)) * v;
+/// Density of the contact energy, times D^2 / K, for which two straight yarns that cross at a right angle with the
+/// penetration c D, c = kReferenceOverlap, press with K c D: c / (2 pi (1 - c) (-c - ln(1 - c))).
+double density_factor() {
+  constexpr double c = kReferenceOverlap;
+  return c / (2 * std::numbers::pi * (1 - c) * normal_energy(c, 1));
 }
 
-/// Distance from a node within which a place lies on it [share of the piece].
-constexpr double kOnNode = 1e-9;
+/// Everything that one step works with.
+struct Step {
+  const YarnElements& elements;
+  const Centreline& line;
+  const SmoothLaw& law;
+  const Motion& motion;
+  const model::State& state;
+  double length;  ///< [s]
+  double density_factor;
+  model::NodalLoads& loads;
+  std::vector<ContactPoint>& found;
+  std::optional<LostCrossing>& lost;
+};
 
-/// Whether a closest place on a piece is this piece's to count: one at a node belongs to the piece that starts there,
-/// and is no minimum if the distance falls further along the piece before. \param slope derivative of half the squared
-/// distance by the place [mm^2]   \param bend its second derivative [mm^2]
-bool counts_here(const ContactElements& elements, std::size_t piece, double place, double slope, double bend) {
-  if (place >= 1 - kOnNode) return !elements.has_next(piece);
-  if (place <= 0) return !elements.has_previous(piece) || slope <= kOnNode * bend;
-  return true;
+KNITMECH_INLINE PairSize size_of(const Step& step, YarnPlace first, YarnPlace second) {
+  const auto a = static_cast<std::size_t>(first.element);
+  const auto b = static_cast<std::size_t>(second.element);
+  const double radii = step.elements.radius[a] + step.elements.radius[b];
+  return {radii, step.density_factor * step.law.stiffness / (radii * radii), step.elements.length[a],
+          step.elements.length[b]};
 }
 
-/// Whether the closest place would go on beyond this place if it could: false only at the end of a yarn.
-bool goes_on(const ContactElements& elements, std::size_t piece, double place) {
-  return (place > 0 || elements.has_previous(piece)) && (place < 1 || elements.has_next(piece));
+/// Whether two places of one yarn are so near along it that they cannot touch.
+KNITMECH_INLINE bool too_near_along_yarn(const YarnElements& elements, YarnPlace first, YarnPlace second,
+                                         double radii) {
+  const auto a = static_cast<std::size_t>(first.element);
+  const auto b = static_cast<std::size_t>(second.element);
+  if (elements.yarn[a] != elements.yarn[b]) return false;
+  return std::abs(arc_of(elements, second) - arc_of(elements, first)) < kSelfContactArc * std::numbers::pi * radii;
 }
 
-/// The gap of the yarn whose place is s, along it. Its curvature follows from the second derivatives f of half the
-/// squared distance, with the other place following: (f_ss - f_st^2 / f_tt) / (distance |x'|^2). \param follows whether
-/// the other place is free to follow
-GapParabola gap_along(double f_ss, double f_st, double f_tt, double slope, double size, double distance, double radii,
-                      double place, bool follows) {
-  const double bend = follows ? f_ss - f_st * f_st / f_tt : f_ss;
-  return {radii - distance, slope / (distance * size), bend / (distance * size * size), -place * size,
-          (1 - place) * size};
+KNITMECH_INLINE double motion_of(const Step& step, YarnPlace first, YarnPlace second) {
+  return step.motion.of(static_cast<std::size_t>(first.element)) +
+         step.motion.of(static_cast<std::size_t>(second.element));
 }
 
-class PairContact {
- public:
-  PairContact(const ContactElements& elements, const Centreline& centreline, ElementPair pair,
-              std::vector<ContactPoint>& found)
-      : elements_(elements),
-        found_(found),
-        pair_(pair),
-        first_element_(static_cast<std::size_t>(pair.first)),
-        second_element_(static_cast<std::size_t>(pair.second)),
-        first_(centreline.curve(elements, first_element_)),
-        second_(centreline.curve(elements, second_element_)),
-        radii_(elements.radius[first_element_] + elements.radius[second_element_]),
-        line_stiffness_(kLineStiffness * elements.stiffness / radii_) {}
+/// Friction at a contact whose normal force is known.
+KNITMECH_INLINE FrictionStep friction_at(const Step& step, YarnPlace first, YarnPlace second, Vector3 normal,
+                                         double load, double stiffness, SlipMemory& stick) {
+  if (dot(stick.normal, normal) < 0 && !step.lost) {
+    step.lost = LostCrossing{first.element, second.element,
+                             step.line.node_position().at(static_cast<std::size_t>(first.element))};
+  }
+  const Vector3 motion = step.length * (step.line.velocity(step.state, second) - step.line.velocity(step.state, first));
+  const double limit =
+      load * step.law.friction.between(step.elements.section[static_cast<std::size_t>(first.element)],
+                                       step.elements.section[static_cast<std::size_t>(second.element)]);
+  return friction_step(stick, normal, motion, limit, stiffness);
+}
 
-  /// Returns a gap [mm] that the pair certainly has: 0 if it touches or nothing is certain.
-  double find(PairPlaces& places) {
-    const Vector3 along_first = first_.end - first_.start;
-    const Vector3 along_second = second_.end - second_.start;
-    const ClosestPoints chords = closest_points(first_.start, along_first, second_.start, along_second);
-    const Vector3 between = second_.start + chords.t * along_second - first_.start - chords.s * along_first;
-    const double gap = length(between) - bulge(first_) - bulge(second_) - radii_;
-    if (gap > 0) return gap;
+/// A contact whose resultant acts at an end of a yarn. \return friction loss [mJ]
+double add_cut(const Step& step, const CutLoad& cut, bool is_swapped, double penetration, double stick_stiffness,
+               SlipMemory& stick) {
+  if (cut.load <= 0) return 0;
+  const YarnPlace first = is_swapped ? cut.second : cut.first;
+  const YarnPlace second = is_swapped ? cut.first : cut.second;
+  const Vector3 normal = is_swapped ? -1.0 * cut.normal : cut.normal;
+  const FrictionStep friction = friction_at(step, first, second, normal, cut.load, stick_stiffness, stick);
+  const Vector3 force = cut.load * normal + friction.force;
+  step.line.spread(second, force, step.loads);
+  step.line.spread(first, -1.0 * force, step.loads);
+  step.found.push_back({first, second, normal, penetration, cut.load, cut.tangent, cut.energy, stick_stiffness, stick});
+  return friction.loss;
+}
 
-    if (places.s < 0) places = {chords.s, chords.t};
-    const CurveApproach at = closest_on_curves(first_, second_, places.s, places.t);
-    places = {at.s, at.t};
-    const double distance = length(at.between);
-    if (at.is_minimum && distance >= radii_) return distance - radii_;
-    // Without a distinct closest place, what Newton's method stopped at says nothing about the rest of the pieces.
-    if (!at.is_minimum || !add_crossing(at, distance)) add_samples();
+/// A contact with the exact derivatives of its energy. \return friction loss [mJ]
+KNITMECH_INLINE double add_pair(const Step& step, PairLoad& pair, YarnPlace first, YarnPlace second, Vector3 normal,
+                                double penetration, double stick_stiffness, SlipMemory& stick) {
+  const FrictionStep friction = friction_at(step, first, second, normal, pair.load, stick_stiffness, stick);
+  pair.on_first.force = pair.on_first.force - friction.force;
+  pair.on_second.force = pair.on_second.force + friction.force;
+  step.line.spread(first, pair.on_first, step.loads);
+  step.line.spread(second, pair.on_second, step.loads);
+  step.found.push_back(
+      {first, second, normal, penetration, pair.load, pair.tangent, pair.energy, stick_stiffness, stick});
+  return friction.loss;
+}
+
+KNITMECH_INLINE double add_crossing(const Step& step, Crossing& crossing) {
+  if (motion_of(step, crossing.first, crossing.second) < crossing.wake) return 0;
+  const Followed here = follow_closest(step.elements, step.line, crossing.first, crossing.second);
+  crossing.first = here.first;
+  crossing.second = here.second;
+  const PairSize size = size_of(step, here.first, here.second);
+  const double distance = length(here.at.between);
+  crossing.gap = distance - size.radii;
+  crossing.is_minimum = here.is_minimum;
+  if (crossing.gap >= 0 || !here.is_minimum || !crossing.is_short ||
+      too_near_along_yarn(step.elements, here.first, here.second, size.radii)) {
+    crossing.stick = {};
+    if (here.is_minimum && crossing.gap > 0) crossing.wake = motion_of(step, here.first, here.second) + crossing.gap;
     return 0;
   }
-
- private:
-  /// The overlap about a closest point; false if it is too long for a parabola.
-  bool add_crossing(const CurveApproach& at, double distance) {
-    const double size_s = length(at.first_slope);
-    const double size_t_ = length(at.second_slope);
-    const double ss = size_s * size_s - dot(at.between, at.first_bend);
-    const double st = -dot(at.first_slope, at.second_slope);
-    const double tt = size_t_ * size_t_ + dot(at.between, at.second_bend);
-    const bool s_goes_on = goes_on(elements_, first_element_, at.s);
-    const bool t_goes_on = goes_on(elements_, second_element_, at.t);
-    // Inside a piece the slope is what Newton's method left of it, far below rounding of the load.
-    const bool s_inside = at.s > 0 && at.s < 1;
-    const bool t_inside = at.t > 0 && at.t < 1;
-    const GapParabola along_first =
-        gap_along(ss, st, tt, s_inside ? 0 : at.slope_s, size_s, distance, radii_, at.s, t_goes_on);
-    const GapParabola along_second =
-        gap_along(tt, st, ss, t_inside ? 0 : at.slope_t, size_t_, distance, radii_, at.t, s_goes_on);
-    if (along_first.curvature <= 0 || along_second.curvature <= 0) return false;
-    const double longest = kShortOverlap * radii_;
-    const double least_curvature = std::min(along_first.curvature, along_second.curvature);
-    if (2 * along_first.depth > least_curvature * longest * longest) return false;
-
-    const Overlap on_first = integrate(along_first, radii_);
-    const Overlap on_second = integrate(along_second, radii_);
-    const bool first_counts = counts_here(elements_, second_element_, at.t, at.slope_t, tt);
-    const bool second_counts = counts_here(elements_, first_element_, at.s, at.slope_s, ss);
-    const Vector3 normal = (1 / distance) * at.between;
-    if (first_counts && second_counts && on_first.centre == 0 && on_second.centre == 0) {
-      const Overlap both{on_first.load + on_second.load, on_first.tangent + on_second.tangent,
-                         on_first.energy + on_second.energy, 0, 0};
-      add(kWholeCrossing, at.s, at.t, normal, along_first.depth, both);
-      return true;
-    }
-    // Where the resultant acts beside the closest place, the place on the other yarn follows.
-    const double ds = on_first.centre / size_s;
-    const double dt = on_second.centre / size_t_;
-    if (first_counts) {
-      add(kFirstHalf, at.s + ds, at.t - (t_goes_on ? ds * st / tt : 0), normal, along_first.depth, on_first);
-    }
-    if (second_counts) {
-      add(kSecondHalf, at.s - (s_goes_on ? dt * st / ss : 0), at.t + dt, normal, along_second.depth, on_second);
-    }
-    return true;
+  const double stick = kStickStiffness * step.law.stiffness;
+  const bool cut_first = end_cuts_first(step.elements, here, distance, size);
+  if (cut_first || end_cuts_second(step.elements, here, distance, size)) {
+    const PairSize seen = cut_first ? size : PairSize{size.radii, size.density, size.second_length, size.first_length};
+    const CutLoad cut = crossing_at_end(step.elements, step.line, cut_first ? here : swapped(here), seen);
+    return add_cut(step, cut, !cut_first, -crossing.gap, stick, crossing.stick);
   }
+  PairLoad pair = crossing_load(here.at, here.hessian, distance, size);
+  return add_pair(step, pair, here.first, here.second, (1 / distance) * here.at.between, -crossing.gap, stick,
+                  crossing.stick);
+}
 
-  void add(unsigned sample, double s, double t, Vector3 normal, double penetration, const Overlap& overlap) {
-    if (overlap.load <= 0) return;
-    const double half = 0.5 * line_stiffness_;
-    if (overlap.centre != 0) normal = unit(combine(second_, hermite(t)) - combine(first_, hermite(s)));
-    found_.push_back({contact_key(pair_.first, pair_.second, sample), pair_.first, pair_.second, s, t, normal,
-                      penetration, half * overlap.load, half * overlap.tangent, half * overlap.energy});
+KNITMECH_INLINE double add_sample(const Step& step, Sample& sample) {
+  if (motion_of(step, sample.at, sample.other) < sample.wake) return 0;
+  const Followed here = follow_nearest(step.elements, step.line, sample.at, sample.other);
+  sample.other = here.second;
+  const PairSize size = size_of(step, here.first, here.second);
+  const double distance = length(here.at.between);
+  sample.gap = distance - size.radii;
+  sample.is_minimum = here.is_minimum;
+  if (sample.gap >= 0 || !here.is_minimum || here.hessian.tt <= 0 ||
+      too_near_along_yarn(step.elements, here.first, here.second, size.radii)) {
+    sample.stick = {};
+    if (here.is_minimum && sample.gap > 0) sample.wake = motion_of(step, here.first, here.second) + sample.gap;
+    return 0;
   }
-
-  void add_samples() {
-    sample(first_, second_, first_element_, second_element_, false);
-    sample(second_, first_, second_element_, first_element_, true);
+  const double stick = kStickStiffness * step.law.stiffness * sample.share * sample.length / size.radii;
+  const ToEnds ends = to_ends(step.elements, here.second);
+  const double nearest = ends.back < ends.ahead ? ends.back : ends.ahead;
+  const double across = -2 * sample.gap * distance * size.second_length * size.second_length;
+  if (nearest <= 0 || across > nearest * nearest * here.hessian.tt) {
+    const CutLoad cut = sample_at_end(step.elements, step.line, here, size, sample.length, sample.share);
+    return add_cut(step, cut, sample.on_second, -sample.gap, stick, sample.stick);
   }
-
-  /// Samples one piece against the other.
-  /// \param swapped the sampled piece is the second of the pair
-  void sample(const Curve& sampled, const Curve& other, std::size_t element, std::size_t other_element, bool swapped) {
-    const double piece = elements_.curve_length[element];
-    const auto n = static_cast<unsigned>(std::clamp(std::ceil(piece / (kSampleSpacing * radii_)), 1.0, kMostSamples));
-    const Vector3 along = other.end - other.start;
-    const double reach = radii_ + bulge(other);
-    for (unsigned i = 0; i < n; ++i) {
-      const double place = (i + 0.5) / n;
-      const Vector3 here = combine(sampled, hermite(place));
-      const double start = closest_on_segment(here, other.start, along);
-      const Vector3 to_chord = other.start + start * along - here;
-      if (dot(to_chord, to_chord) >= reach * reach) continue;
-      const CurveApproach at = closest_on_second(sampled, other, place, start);
-      const double distance = length(at.between);
-      if (!at.is_minimum || distance >= radii_) continue;
-      const double bend = dot(at.second_slope, at.second_slope) + dot(at.between, at.second_bend);
-      if (!counts_here(elements_, other_element, at.t, at.slope_t, bend)) continue;
-      const double share = length(at.first_slope) / n;  // of the yarn's length [mm]
-      const double depth = radii_ - distance;
-      const Overlap overlap{share * normal_force(depth, radii_), share * normal_tangent(depth, radii_),
-                            share * normal_energy(depth, radii_), 0, 0};
-      const Vector3 normal = (swapped ? -1 / distance : 1 / distance) * at.between;
-      const unsigned slot = kFirstSample + i + (swapped ? static_cast<unsigned>(kMostSamples) : 0U);
-      add(slot, swapped ? at.t : at.s, swapped ? at.s : at.t, normal, depth, overlap);
-    }
+  PairLoad pair = sample_load(here.at, here.hessian, distance, size, sample.length, sample.share);
+  const Vector3 normal = (1 / distance) * here.at.between;
+  if (!sample.on_second) {
+    return add_pair(step, pair, here.first, here.second, normal, -sample.gap, stick, sample.stick);
   }
+  const CurveLoad on_sampled = pair.on_first;
+  pair.on_first = pair.on_second;
+  pair.on_second = on_sampled;
+  return add_pair(step, pair, here.second, here.first, -1.0 * normal, -sample.gap, stick, sample.stick);
+}
 
-  const ContactElements& elements_;
-  std::vector<ContactPoint>& found_;
-  ElementPair pair_;
-  std::size_t first_element_, second_element_;
-  Curve first_, second_;
-  double radii_, line_stiffness_;
-};
+KNITMECH_VECTORISE double add_all(const Step& step, FollowedContacts& contacts) {
+  double loss = 0;
+  for (Crossing& crossing : contacts.crossings) loss += add_crossing(step, crossing);
+  for (Sample& sample : contacts.samples) loss += add_sample(step, sample);
+  return loss;
+}
 
 }  // namespace
 
-void find_smooth_contacts(const ContactElements& elements, const std::vector<ElementPair>& pairs,
-                          const Centreline& centreline, PairClock& clock, std::vector<PairPlaces>& places,
-                          std::vector<ContactPoint>& found) {
+double add_smooth_forces(const YarnElements& elements, const Centreline& line, const SmoothLaw& law,
+                         const Motion& motion, const model::State& state, double step, FollowedContacts& contacts,
+                         model::NodalLoads& loads, std::vector<ContactPoint>& found,
+                         std::optional<LostCrossing>& lost) {
   found.clear();
-  for (std::size_t p = 0; p < pairs.size(); ++p) {
-    if (clock.may_sleep(p)) continue;
-    const double gap = PairContact(elements, centreline, pairs[p], found).find(places[p]);
-    if (gap > 0) clock.sleep(p, gap);
-  }
+  return add_all({elements, line, law, motion, state, step, density_factor(), loads, found, lost}, contacts);
 }
 
 }  // namespace knitmech::contact

@@ -3,82 +3,100 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <utility>
 
-#include "base/segment_distance.h"
 #include "contact/constants.h"
-#include "contact/curve_distance.h"
+#include "contact/look_for_contacts.h"
 
 namespace knitmech::contact {
 
-namespace {
+YarnContact::YarnContact(const model::Model& model)
+    : elements_(make_yarn_elements(model)),
+      pieces_(make_contact_elements(model)),
+      centreline_(model),
+      law_{model.contact_stiffness, FrictionTable(model)},
+      skin_(kSkin * 2 * pieces_.largest_radius),
+      motion_(model.nodes.size()),
+      crossing_watch_(pieces_) {}
 
-/// Least distance of two pieces of centreline [mm].
-double distance_of(const Curve& a, const Curve& b) {
-  const ClosestPoints at = closest_points(a.start, a.end - a.start, b.start, b.end - b.start);
-  return length(closest_on_curves(a, b, at.s, at.t).between);
+void YarnContact::search(const model::State& state) {
+  std::vector<double> bulges(pieces_.n_nodes(), 0.0);
+  for (std::size_t i = 0; i < bulges.size(); ++i) {
+    if (centreline_.is_smooth() && pieces_.exists[i] != 0) {
+      bulges[i] = bulge(centreline_.piece_curve(pieces_, static_cast<std::int32_t>(i)));
+    }
+  }
+  watch_.begin(find_neighbours(pieces_, centreline_.piece_positions(pieces_), bulges, skin_));
+  motion_.start_anew();
+  for (Crossing& crossing : followed_.crossings) crossing.wake = 0;
+  for (Sample& sample : followed_.samples) sample.wake = 0;
+  common_motion_ = fit_common_motion(state);
+  ++searches_;
+  check_crossings();
 }
 
-}  // namespace
+void YarnContact::check_crossings() {
+  const CrossingReport report = crossing_watch_.update(centreline_.piece_positions(pieces_), watch_.pairs());
+  ++crossing_checks_;
+  ravelled_.insert(ravelled_.end(), report.ravelled.begin(), report.ravelled.end());
+  if (report.lost.empty() || lost_) return;
+  const CrossingLoss& loss = report.lost.front();
+  lost_ = LostCrossing{pieces_.element_of(loss.first), pieces_.element_of(loss.second), loss.place};
+}
 
-YarnContact::YarnContact(const model::Model& model)
-    : elements_(make_contact_elements(model)),
-      centreline_(model, elements_),
-      skin_(kSkin * 2 * elements_.largest_radius) {}
-
-void YarnContact::search() {
-  std::vector<double> bulges(elements_.n_nodes(), 0.0);
-  for (std::size_t i = 0; i < bulges.size(); ++i) {
-    if (elements_.is_smooth() && elements_.exists[i] != 0) bulges[i] = bulge(centreline_.curve(elements_, i));
+void YarnContact::look() {
+  if (centreline_.is_smooth()) {
+    look_for_contacts(elements_, pieces_, centreline_, motion_, watch_, followed_);
+  } else {
+    look_at_chords(pieces_, centreline_.node_position(), motion_, watch_, near_);
   }
-  pairs_ = find_neighbours(elements_, centreline_.position(), bulges, skin_);
-  places_.assign(pairs_.size(), {});
-  clock_.look_at.assign(pairs_.size(), 0.0);
-  searched_at_ = clock_.now;
-  ++searches_;
+  motion_.looked();
 }
 
 void YarnContact::add_forces(const model::State& state, double step, model::NodalLoads& loads) {
-  clock_.now += centreline_.update(state);
-  if (searches_ == 0 || clock_.now - searched_at_ >= 0.5 * skin_) search();
-  if (elements_.is_smooth()) {
-    find_smooth_contacts(elements_, pairs_, centreline_, clock_, places_, points_);
+  centreline_.update(state, common_motion_, step);
+  // Two yarns in contact are at most a few radii apart along y; as much of the common stretch is between them.
+  const double stretch = std::abs(common_motion_.rate) * step;
+  motion_.add(centreline_.moved(), stretch * (2 * pieces_.largest_radius + skin_));
+  const bool search_is_due = searches_ == 0 || motion_.largest() >= 0.5 * skin_;
+  if (search_is_due) search(state);
+  if (search_is_due || motion_.since_look() >= kLookTogether * pieces_.largest_radius) look();
+  if (centreline_.is_smooth()) {
+    friction_loss_ +=
+        add_smooth_forces(elements_, centreline_, law_, motion_, state, step, followed_, loads, points_, lost_);
   } else {
-    find_chord_contacts(elements_, pairs_, centreline_.position(), clock_, points_);
+    find_on_chords(state, step, loads);
   }
-  std::swap(memories_, memories_before_);
-  memories_.clear();
-  for (const ContactPoint& point : points_) apply(point, state, step, loads);
 }
 
-void YarnContact::apply(const ContactPoint& point, const model::State& state, double step, model::NodalLoads& loads) {
-  const Vector3 motion = step * (centreline_.velocity(elements_, state, point.second, point.place_second) -
-                                 centreline_.velocity(elements_, state, point.first, point.place_first));
-  const SlipMemory* before = recall(memories_before_, point);
-  if (before == nullptr) {
-    before = recall_moved(memories_before_, points_, point);
-  } else if (dot(before->normal, point.normal) < 0 && !lost_) {
-    const auto piece = static_cast<std::size_t>(point.first);
-    lost_ =
-        LostCrossing{static_cast<std::int32_t>(elements_.element_of(point.first)),
-                     static_cast<std::int32_t>(elements_.element_of(point.second)), centreline_.position().at(piece)};
+void YarnContact::find_on_chords(const model::State& state, double step, model::NodalLoads& loads) {
+  std::swap(chords_, chords_before_);
+  find_chord_contacts(elements_, near_, centreline_.node_position(), law_.stiffness, chords_);
+  recall(chords_before_, chords_);
+  points_.clear();
+  for (ChordContact& contact : chords_) {
+    ContactPoint& point = contact.point;
+    if (dot(point.stick.normal, point.normal) < 0 && !lost_) {
+      lost_ = LostCrossing{point.first.element, point.second.element,
+                           centreline_.node_position().at(static_cast<std::size_t>(point.first.element))};
+    }
+    const Vector3 motion =
+        step * (centreline_.velocity(state, point.second) - centreline_.velocity(state, point.first));
+    const double friction = law_.friction.between(elements_.section[static_cast<std::size_t>(point.first.element)],
+                                                  elements_.section[static_cast<std::size_t>(point.second.element)]);
+    const FrictionStep stick =
+        friction_step(point.stick, point.normal, motion, friction * point.load, point.stick_stiffness);
+    friction_loss_ += stick.loss;
+    const Vector3 force = point.load * point.normal + stick.force;
+    centreline_.spread(point.second, force, loads);
+    centreline_.spread(point.first, -1.0 * force, loads);
+    points_.push_back(point);
   }
-  const FrictionStep friction = friction_step(point, before, motion, elements_.friction * point.load);
-  friction_loss_ += friction.loss;
-  memories_.push_back(friction.memory);
-
-  const Vector3 force = point.load * point.normal + friction.force;
-  centreline_.spread(elements_, point.second, point.place_second, force, loads);
-  centreline_.spread(elements_, point.first, point.place_first, -1.0 * force, loads);
 }
 
 double YarnContact::energy() const {
   double energy = 0;
-  for (const ContactPoint& point : points_) {
-    energy += point.energy;
-  }
-  for (const SlipMemory& memory : memories_) energy += stick_energy(memory);
+  for (const ContactPoint& point : points_) energy += point.energy + point.stick_energy();
   return energy;
 }
 
@@ -105,54 +123,26 @@ double YarnContact::highest_frequency_squared(const std::vector<double>& mass,
       entries[filled] = {at, std::abs(weight) / std::sqrt(inertia)};
       sum += entries[filled++].size;
     };
-    for (const auto& [piece, on_piece] :
-         {std::pair{point.first, point.place_first}, {point.second, point.place_second}}) {
-      const std::size_t i = elements_.element_of(piece);
-      const double place = elements_.place_on_element(piece, on_piece);
-      if (elements_.is_smooth()) {
-        const HermiteWeights weights = hermite(place);
-        const double size = elements_.pieces_per_element * elements_.curve_length[static_cast<std::size_t>(piece)];
+    for (const YarnPlace place : {point.first, point.second}) {
+      const auto i = static_cast<std::size_t>(place.element);
+      if (centreline_.is_smooth()) {
+        const HermiteWeights weights = hermite(place.share);
         add(i, weights.start, mass[i]);
         add(i + 1, weights.end, mass[i + 1]);
-        add(n + i, weights.start_slope * size, rotary[i]);
-        add(n + i + 1, weights.end_slope * size, rotary[i + 1]);
+        add(n + i, weights.start_slope * elements_.length[i], rotary[i]);
+        add(n + i + 1, weights.end_slope * elements_.length[i], rotary[i + 1]);
       } else {
-        add(i, 1 - place, mass[i]);
-        add(i + 1, place, mass[i + 1]);
+        add(i, 1 - place.share, mass[i]);
+        add(i + 1, place.share, mass[i + 1]);
       }
     }
+    const double stiffness = std::max(point.tangent, point.stick_stiffness);
     for (std::size_t k = 0; k < filled; ++k) {
-      row[entries[k].at] += point.tangent * entries[k].size * sum;
+      row[entries[k].at] += stiffness * entries[k].size * sum;
       highest = std::max(highest, row[entries[k].at]);
     }
   }
   return highest;
-}
-
-void YarnContact::set_contact_results(model::Frame& frame) const {
-  const std::size_t n = frame.points.size();
-  model::NodalLoads loads(n);
-  for (std::size_t i = 0; i < points_.size(); ++i) {
-    const ContactPoint& point = points_[i];
-    const Vector3 on_second = point.load * point.normal - memories_[i].stick_stiffness * memories_[i].elastic_slip;
-    centreline_.spread(elements_, point.second, point.place_second, on_second, loads);
-    centreline_.spread(elements_, point.first, point.place_first, -1.0 * on_second, loads);
-  }
-  frame.contact_force.resize(n);
-  for (std::size_t i = 0; i < n; ++i) frame.contact_force[i] = {loads.force.x[i], loads.force.y[i], loads.force.z[i]};
-
-  frame.gap.assign(n, std::numeric_limits<double>::infinity());
-  for (const ElementPair pair : pairs_) {
-    const auto a = static_cast<std::size_t>(pair.first);
-    const auto b = static_cast<std::size_t>(pair.second);
-    const double gap = distance_of(centreline_.curve(elements_, a), centreline_.curve(elements_, b)) -
-                       elements_.radius[a] - elements_.radius[b];
-    for (const std::int32_t piece : {pair.first, pair.second}) {
-      const std::size_t node = elements_.element_of(piece);
-      frame.gap[node] = std::min(frame.gap[node], gap);
-      frame.gap[node + 1] = std::min(frame.gap[node + 1], gap);
-    }
-  }
 }
 
 }  // namespace knitmech::contact

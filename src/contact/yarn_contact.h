@@ -5,24 +5,21 @@
 #include <vector>
 
 #include "contact/centreline.h"
+#include "contact/chord_contacts.h"
 #include "contact/contact_points.h"
-#include "contact/friction.h"
+#include "contact/crossing_watch.h"
+#include "contact/followed_contacts.h"
+#include "contact/pair_watch.h"
 #include "contact/smooth_contacts.h"
 #include "model/frame.h"
 #include "model/state.h"
 
 namespace knitmech::contact {
 
-/// Two yarns that went through each other: the direction from one to the other turned round within a step.
-struct LostCrossing {
-  std::int32_t first, second;  ///< elements
-  Vector3 place;               ///< [mm]
-};
-
 /// Frictional contact of all yarns with each other and with themselves.
 ///
-/// Owns what contact remembers: the neighbour list with the positions that it was made for, and the slip of each
-/// contact.
+/// Owns what contact remembers: the neighbour list with the positions that it was made for, the places that are
+/// followed, and the slip of each contact.
 class YarnContact {
  public:
   explicit YarnContact(const model::Model& model);
@@ -38,32 +35,46 @@ class YarnContact {
   [[nodiscard]] int n_contacts() const { return static_cast<int>(points_.size()); }
   /// At the last call of add_forces [mm].
   [[nodiscard]] double largest_penetration() const;
+  /// Contacts of the last call of add_forces.
+  [[nodiscard]] const std::vector<ContactPoint>& points() const { return points_; }
   /// Upper bound of the square of the highest frequency that the contacts alone give the nodes [1/s^2]: the largest row
   /// sum of their stiffness, scaled with the inertia of the nodes (Gershgorin).
   [[nodiscard]] double highest_frequency_squared(const std::vector<double>& mass,
                                                  const std::vector<double>& rotary) const;
   [[nodiscard]] const std::optional<LostCrossing>& lost_crossing() const { return lost_; }
+  /// Checks that no yarn has passed through another since the last check, apart from what the contact law sees
+  /// (crossing_watch.h). Done besides whenever the neighbours are searched.
+  void check_crossings();
+  [[nodiscard]] long crossing_checks() const { return crossing_checks_; }
+  /// Yarn ends that have slipped out of loops since the start.
+  [[nodiscard]] const std::vector<RavelEvent>& ravelled() const { return ravelled_; }
   [[nodiscard]] long searches() const { return searches_; }
 
-  /// Fills the node fields contact_force and gap of a frame whose points are set.
+  /// Fills the contact fields of a frame whose points are set: contact_force, gap, contacts.
   void set_contact_results(model::Frame& frame) const;
 
  private:
-  void search();
-  void apply(const ContactPoint& point, const model::State& state, double step, model::NodalLoads& loads);
+  void search(const model::State& state);
+  void look();
+  void find_on_chords(const model::State& state, double step, model::NodalLoads& loads);
 
-  ContactElements elements_;
+  YarnElements elements_;
+  ContactElements pieces_;
   Centreline centreline_;
+  SmoothLaw law_;
   double skin_ = 0;  ///< [mm]
-  std::vector<ElementPair> pairs_;
-  std::vector<PairPlaces> places_;  ///< one entry per pair
-  PairClock clock_;
-  double searched_at_ = 0;  ///< on the clock [mm]
+  CommonMotion common_motion_;
+  Motion motion_;
+  PairWatch watch_;
+  FollowedContacts followed_;
+  std::vector<ElementPair> near_;  ///< chords
+  std::vector<ChordContact> chords_, chords_before_;
   std::vector<ContactPoint> points_;
-  std::vector<SlipMemory> memories_, memories_before_;
   double friction_loss_ = 0;
   std::optional<LostCrossing> lost_;
-  long searches_ = 0;
+  CrossingWatch crossing_watch_;
+  std::vector<RavelEvent> ravelled_;
+  long searches_ = 0, crossing_checks_ = 0;
 };
 
 }  // namespace knitmech::contact

@@ -27,6 +27,7 @@ struct YarnCurve {
   int course = 0;                         ///< 0 at the bottom of the fabric
   std::vector<Eigen::Vector3d> points;    ///< [mm]
   std::vector<Eigen::Vector3d> tangents;  ///< unit tangent of the true curve, not of the polyline
+  std::vector<Eigen::Vector3d> middles;   ///< [mm] half the arc length on to the next node; the last: the node itself
   std::vector<double> arc_length;         ///< [mm] along the true curve from the yarn's first node
   std::vector<int> wale;                  ///< stitch the node belongs to; a shared foot node belongs to the left one
   std::vector<double> from_head;          ///< [mm] arc length to the nearest middle of a needle-loop head

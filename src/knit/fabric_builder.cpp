@@ -41,9 +41,20 @@ YarnCurve build_lowest_course(const FabricLayout& layout, const Erc& erc) {
   return yarn;
 }
 
+/// The nodes that a mesh twice as fine has between those of this one.
+std::vector<Vector3d> middles_of(FabricLayout layout, const Erc& erc) {
+  layout.elements_per_erc *= 2;
+  const std::vector<Vector3d> fine = build_lowest_course(layout, erc).points;
+  std::vector<Vector3d> middles;
+  for (std::size_t i = 1; i < fine.size(); i += 2) middles.push_back(fine[i]);
+  middles.push_back(fine.back());
+  return middles;
+}
+
 YarnCurve raise(YarnCurve yarn, int course, double course_spacing) {
   yarn.course = course;
   for (Vector3d& point : yarn.points) point.y() += course * course_spacing;
+  for (Vector3d& middle : yarn.middles) middle.y() += course * course_spacing;
   return yarn;
 }
 
@@ -60,7 +71,8 @@ Fabric build_fabric(const FabricLayout& layout, const Erc& erc) {
   fabric.layout = layout;
   fabric.erc_length = erc.length;
   fabric.yarns.reserve(static_cast<std::size_t>(layout.courses));
-  const YarnCurve lowest = build_lowest_course(layout, erc);
+  YarnCurve lowest = build_lowest_course(layout, erc);
+  lowest.middles = middles_of(layout, erc);
   for (int course = 0; course < layout.courses; ++course) {
     fabric.yarns.push_back(raise(lowest, course, layout.course_spacing));
   }

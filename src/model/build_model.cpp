@@ -23,6 +23,7 @@ Model model_of_yarns(const knit::Fabric& fabric) {
                            .course = curve.course});
     model.nodes.insert(model.nodes.end(), curve.points.begin(), curve.points.end());
     model.tangents.insert(model.tangents.end(), curve.tangents.begin(), curve.tangents.end());
+    model.middles.insert(model.middles.end(), curve.middles.begin(), curve.middles.end());
     model.arc_length.insert(model.arc_length.end(), curve.arc_length.begin(), curve.arc_length.end());
   }
   return model;

@@ -43,6 +43,12 @@ struct TensileTest {
   [[nodiscard]] double time_at(double strain) const;
 };
 
+/// Friction between two kinds of yarn, or of one kind with itself, where it is not Model::friction.
+struct PairFriction {
+  int first_section = 0, second_section = 0;  ///< indices into Model::sections, in any order
+  double friction = 0;                        ///< mu [-]
+};
+
 /// The finite-element model: nodes, two-node beam elements along yarns, sections, node sets, contact, test.
 ///
 /// Nodes are numbered along each yarn, yarn after yarn. Element i exists if node i is not the last of its yarn and
@@ -52,13 +58,17 @@ struct Model {
   std::string title;
   std::vector<Eigen::Vector3d> nodes;     ///< [mm], stress-free
   std::vector<Eigen::Vector3d> tangents;  ///< unit tangents of the true centreline at the nodes
-  std::vector<double> arc_length;         ///< [mm], along the true centreline from the yarn's first node
+  /// [mm], point of the true centreline half the arc length from each node to the next, that of a yarn's last node
+  /// unused. Empty: all yarns lie on the cubic curves through their nodes with their tangents.
+  std::vector<Eigen::Vector3d> middles;
+  std::vector<double> arc_length;  ///< [mm], along the true centreline from the yarn's first node
   std::vector<ModelYarn> yarns;
   std::vector<yarn::Section> sections;
   std::map<std::string, std::vector<int>> node_sets;  ///< ascending node indices
   double half_stitch_length = 0;                      ///< [mm], arc length of one ERC
-  double friction = 0;                                ///< mu [-]
-  double contact_stiffness = 0;                       ///< [N/mm], penalty of one crossing
+  double friction = 0;                                ///< mu [-], of all pairs of yarns but those in pair_friction
+  std::vector<PairFriction> pair_friction;
+  double contact_stiffness = 0;  ///< [N/mm], penalty of one crossing
   Centreline centreline = Centreline::smooth;
   TensileTest test;
 

@@ -1,10 +1,22 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <string>
+#include <vector>
 
 namespace knitmech::model {
 
 enum class RunStatus { completed, interrupted, failed };
+
+/// A free yarn end that slipped out of a loop. The fabric ravels; no yarn passed through another.
+struct Ravelling {
+  double strain = 0;                  ///< [-]
+  int yarn = 0;                       ///< whose end, index into Model::yarns
+  bool is_last_end = false;           ///< the end at the yarn's last node, else that at its first
+  int other_yarn = 0;                 ///< that it slipped over
+  double other_place = 0;             ///< [mm], along the other yarn from its first node
+  Eigen::Vector3d position{0, 0, 0};  ///< [mm], of that place
+};
 
 /// How a simulation ended. A simulation that cannot go on is an outcome with its reason, not an exception.
 struct RunOutcome {
@@ -14,11 +26,13 @@ struct RunOutcome {
   double time = 0;     ///< [s], simulated
   double strain = 0;   ///< [-], reached
   long steps = 0;
-  double smallest_step = 0;        ///< [s]
-  double largest_penetration = 0;  ///< [mm], over the whole run
-  double mass_scaling = 1;         ///< factor used
-  int lost_crossings = 0;          ///< yarns that passed through each other
-  double wall_seconds = 0;         ///< [s], real time in the solver
+  double smallest_step = 0;         ///< [s]
+  double largest_penetration = 0;   ///< [mm], over the whole run
+  double mass_scaling = 1;          ///< factor used
+  int lost_crossings = 0;           ///< yarns that passed through each other
+  long crossing_checks = 0;         ///< how often all crossings were checked
+  std::vector<Ravelling> ravelled;  ///< in the order of time
+  double wall_seconds = 0;          ///< [s], real time in the solver
 };
 
 }  // namespace knitmech::model

@@ -195,7 +195,12 @@ Quality assess_quality(const std::vector<HistoryRow>& history, const model::RunO
   Quality quality;
   quality.penetration = outcome.largest_penetration;
   quality.penetration_ratio = diameter > 0 ? outcome.largest_penetration / diameter : 0;
+  for (const HistoryRow& row : history) {
+    quality.elastic_slip = std::max(quality.elastic_slip, row.largest_elastic_slip);
+  }
+  quality.elastic_slip_ratio = diameter > 0 ? quality.elastic_slip / diameter : 0;
   quality.lost_crossings = outcome.lost_crossings;
+  quality.crossing_checks = outcome.crossing_checks;
   const std::size_t first = first_row_after_toe(history);
   if (first == history.size()) {
     quality.verdict = ending(outcome) +

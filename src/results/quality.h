@@ -24,7 +24,10 @@ struct Quality {
   std::optional<double> grip_difference_strain;  ///< [-], end of that window
   double penetration = 0;                        ///< [mm], largest of the run
   double penetration_ratio = 0;                  ///< [-], over the yarn diameter
+  double elastic_slip = 0;                       ///< [mm], largest of the history
+  double elastic_slip_ratio = 0;                 ///< [-], over the yarn diameter
   int lost_crossings = 0;                        ///< yarns that passed through each other
+  long crossing_checks = 0;                      ///< how often all crossings were checked for that
   bool quasi_static = false;                     ///< all limits kept, no crossing lost, the simulation did not fail
   std::string verdict;  ///< one or two sentences: what holds, or which limit failed and what to try
 };
@@ -44,8 +47,8 @@ struct Quality {
 /// over windows of kWindow strain (counted back from the end; a first window that is not full is used only if it is the
 /// only one), energy balance, crossings.
 ///
-/// diameter [mm] is that of the yarn; with 0 the relative penetration is 0. Works for short, empty, interrupted and
-/// all-zero histories.
+/// diameter [mm] is that of the yarn; with 0 the relative penetration and elastic slip are 0. Works for short, empty,
+/// interrupted and all-zero histories.
 [[nodiscard]] Quality assess_quality(const std::vector<model::HistoryRow>& history, const model::RunOutcome& outcome,
                                      double diameter);
 

@@ -11,6 +11,8 @@
 #include "base/errors.h"
 #include "results/atomic_file.h"
 #include "results/constants.h"
+#include "results/contact_file.h"
+#include "results/frame_file.h"
 #include "results/history_file.h"
 #include "results/quality.h"
 #include "results/summary.h"
@@ -25,7 +27,8 @@ constexpr const char* kSummaryFile = "summary.json";
 constexpr const char* kHistoryFile = "history.csv";
 constexpr const char* kLogFile = "log.txt";
 constexpr const char* kFramesFolder = "frames";
-constexpr const char* kCollectionFile = "frames.pvd";
+constexpr const char* kFramesCollection = "frames.pvd";
+constexpr const char* kContactsCollection = "contacts.pvd";
 
 [[nodiscard]] FileError folder_error(const fs::path& dir, const std::error_code& code) {
   return FileError{fmt::format("Cannot write the run folder \"{}\": {}.", dir.string(), code.message())};
@@ -53,19 +56,23 @@ void refuse_foreign_folder(const fs::path& dir) {
   }
 }
 
-/// frame_0012.vtp, also under its temporary name.
+/// start0012end
+bool is_numbered(std::string_view name, std::string_view start, std::string_view end) {
+  if (!name.starts_with(start) || !name.ends_with(end) || name.size() < start.size() + 4 + end.size()) {
+    return false;
+  }
+  name.remove_prefix(start.size());
+  name.remove_suffix(end.size());
+  return name.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
+/// frame_0012.vtp, contacts_0012.vtp, contacts_0012.csv, also under their temporary names.
 bool is_frame_file(std::string_view name) {
   if (name.ends_with(kPartialSuffix)) {
     name.remove_suffix(kPartialSuffix.size());
   }
-  constexpr std::string_view kStart = "frame_";
-  constexpr std::string_view kEnd = ".vtp";
-  if (!name.starts_with(kStart) || !name.ends_with(kEnd) || name.size() < kStart.size() + 4 + kEnd.size()) {
-    return false;
-  }
-  name.remove_prefix(kStart.size());
-  name.remove_suffix(kEnd.size());
-  return name.find_first_not_of("0123456789") == std::string_view::npos;
+  return is_numbered(name, "frame_", ".vtp") || is_numbered(name, "contacts_", ".vtp") ||
+         is_numbered(name, "contacts_", ".csv");
 }
 
 /// Removes a file of ours and what is left of an interrupted write of it.
@@ -84,7 +91,8 @@ void remove_older_run(const fs::path& dir) {
   if (!fs::is_directory(frames)) {
     return;
   }
-  remove_own(frames / kCollectionFile);
+  remove_own(frames / kFramesCollection);
+  remove_own(frames / kContactsCollection);
   std::vector<fs::path> old_frames;
   for (const fs::directory_entry& entry : fs::directory_iterator(frames)) {
     if (is_frame_file(entry.path().filename().string())) {
@@ -111,7 +119,7 @@ RunFolder::RunFolder(fs::path dir, const std::string& case_toml, model::Model mo
     throw folder_error(dir_, error.code());
   }
   write_file_atomically(dir_ / kCaseFile, case_toml);
-  write_file_atomically(dir_ / kFramesFolder / kCollectionFile, collection_text(frames_));
+  write_collections();
   write_history();
 }
 
@@ -127,8 +135,11 @@ void RunFolder::add_history(const model::HistoryRow& row) {
 void RunFolder::add_frame(const model::Frame& frame) {
   const fs::path folder = dir_ / kFramesFolder;
   write_file_atomically(folder / frame_file_name(frame.index), frame_text(model_, frame));
+  write_file_atomically(folder / contact_table_file_name(frame.index), contact_table_text(model_, frame));
+  write_file_atomically(folder / contact_points_file_name(frame.index), contact_points_text(model_, frame));
   frames_.push_back({frame.index, frame.history.strain});
-  write_file_atomically(folder / kCollectionFile, collection_text(frames_));
+  contacts_ = summarise_contacts(model_, frame.contacts);
+  write_collections();
   write_history();
 }
 
@@ -148,8 +159,14 @@ void RunFolder::finish(const model::RunOutcome& outcome) {
   write_history();
   const double diameter = model_.sections.empty() ? 0.0 : model_.sections.front().diameter;
   const Quality quality = assess_quality(history_, outcome, diameter);
-  write_file_atomically(dir_ / kSummaryFile,
-                        finished_summary(model_, history_, static_cast<int>(frames_.size()), outcome, quality));
+  write_file_atomically(dir_ / kSummaryFile, finished_summary(model_, history_, static_cast<int>(frames_.size()),
+                                                              contacts_, outcome, quality));
+}
+
+void RunFolder::write_collections() const {
+  const fs::path folder = dir_ / kFramesFolder;
+  write_file_atomically(folder / kFramesCollection, collection_text(frames_, frame_file_name));
+  write_file_atomically(folder / kContactsCollection, collection_text(frames_, contact_points_file_name));
 }
 
 void RunFolder::write_history() {

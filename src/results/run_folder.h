@@ -2,19 +2,23 @@
 
 #include <chrono>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "model/frame.h"
 #include "model/model.h"
 #include "model/run_outcome.h"
-#include "results/frame_file.h"
+#include "results/collection_file.h"
+#include "results/contact_summary.h"
 
 namespace knitmech::results {
 
 /// The folder of one run, written while the simulation goes on (docs/results.md):
 ///
-///     case.toml summary.json history.csv log.txt frames/frames.pvd frames/frame_0000.vtp ...
+///     case.toml summary.json history.csv log.txt
+///     frames/frames.pvd    frames/frame_0000.vtp ...
+///     frames/contacts.pvd  frames/contacts_0000.vtp ...  frames/contacts_0000.csv ...
 ///
 /// A reader never sees a half file: every file is written under another name and renamed, except log.txt, which grows
 /// by whole lines. summary.json says "running" until finish(). A killed run keeps its frames and all history but that
@@ -33,13 +37,14 @@ class RunFolder {
   /// Keeps a row of the history; history.csv is rewritten at most once per kHistoryRewriteInterval.
   void add_history(const model::HistoryRow& row);
 
-  /// Writes the frame and the list of frames, and history.csv up to here.
+  /// Writes the frame, its contacts and the lists of both, and history.csv up to here.
   void add_frame(const model::Frame& frame);
 
   /// Appends a line to log.txt.
   void log(const std::string& line);
 
-  /// Writes the whole history and the summary with its quality block (assess_quality()).
+  /// Writes the whole history and the summary with the contacts of the last frame and its quality block
+  /// (assess_quality()).
   void finish(const model::RunOutcome& outcome);
 
   [[nodiscard]] const std::filesystem::path& path() const { return dir_; }
@@ -47,12 +52,14 @@ class RunFolder {
 
  private:
   void write_history();
+  void write_collections() const;
 
   std::filesystem::path dir_;
   model::Model model_;
   std::vector<model::HistoryRow> history_;
   std::string history_text_;
   std::vector<FrameEntry> frames_;
+  std::optional<ContactSummary> contacts_;  ///< of the last frame
   std::chrono::steady_clock::time_point history_written_;
 };
 

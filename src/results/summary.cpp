@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "results/atomic_file.h"
+#include "results/ravelling.h"
 
 namespace knitmech::results {
 namespace {
@@ -84,6 +85,17 @@ Json final_block(const std::vector<HistoryRow>& history, const RunOutcome& outco
   return block;
 }
 
+Json contact_block(const std::optional<ContactSummary>& contacts) {
+  const auto value = [&](double ContactSummary::*member) {
+    return contacts ? number((*contacts).*member) : Json(nullptr);
+  };
+  return {{"contacts", contacts ? Json(contacts->contacts) : Json(nullptr)},
+          {"normal_force_N", value(&ContactSummary::normal_force)},
+          {"slipping_share", number(contacts ? contacts->slipping_share : std::nullopt)},
+          {"elastic_slip_mm", value(&ContactSummary::elastic_slip)},
+          {"elastic_slip_ratio", value(&ContactSummary::elastic_slip_ratio)}};
+}
+
 Json largest_block(const std::vector<HistoryRow>& history, const RunOutcome& outcome) {
   const auto largest = [&](auto member) -> Json {
     if (history.empty()) {
@@ -97,6 +109,7 @@ Json largest_block(const std::vector<HistoryRow>& history, const RunOutcome& out
           {"force_bottom_N", largest(&HistoryRow::force_bottom)},
           {"kinetic_energy_mJ", largest(&HistoryRow::kinetic_energy)},
           {"contacts", largest(&HistoryRow::contacts)},
+          {"contact_normal_force_N", largest(&HistoryRow::normal_force)},
           {"penetration_mm", number(outcome.largest_penetration)}};
 }
 
@@ -113,8 +126,25 @@ Json quality_block(const Quality& quality) {
           {"grip_difference_strain", number(quality.grip_difference_strain)},
           {"penetration_mm", number(quality.penetration)},
           {"penetration_ratio", number(quality.penetration_ratio)},
+          {"elastic_slip_mm", number(quality.elastic_slip)},
+          {"elastic_slip_ratio", number(quality.elastic_slip_ratio)},
           {"lost_crossings", quality.lost_crossings},
-          {"crossings_kept", quality.lost_crossings == 0}};
+          {"crossings_kept", quality.lost_crossings == 0},
+          {"crossing_checks", quality.crossing_checks}};
+}
+
+Json ravelled_block(const Model& model, const RunOutcome& outcome) {
+  Json block = Json::array();
+  for (const model::Ravelling& event : outcome.ravelled) {
+    const RavelledPlace place = place_of(model, event);
+    block.push_back({{"strain", number(event.strain)},
+                     {"course", place.course},
+                     {"end", place.side},
+                     {"over_course", place.other_course},
+                     {"over_wale", place.other_wale},
+                     {"position_mm", {event.position.x(), event.position.y(), event.position.z()}}});
+  }
+  return block;
 }
 
 }  // namespace
@@ -126,7 +156,8 @@ std::string running_summary(const Model& model) {
 }
 
 std::string finished_summary(const Model& model, const std::vector<HistoryRow>& history, int n_frames,
-                             const RunOutcome& outcome, const Quality& quality) {
+                             const std::optional<ContactSummary>& contacts, const RunOutcome& outcome,
+                             const Quality& quality) {
   Json document = head(model, status_name(outcome.status));
   document["reason"] = outcome.reason;
   document["advice"] = outcome.advice;
@@ -134,8 +165,10 @@ std::string finished_summary(const Model& model, const std::vector<HistoryRow>& 
   document["output"] = {{"history_rows", history.size()}, {"frames", n_frames}};
   document["solver"] = solver_block(model, outcome);
   document["final"] = final_block(history, outcome);
+  document["contact"] = contact_block(contacts);
   document["largest"] = largest_block(history, outcome);
   document["quality"] = quality_block(quality);
+  document["ravelled"] = ravelled_block(model, outcome);
   return text_of(document);
 }
 

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "model/frame.h"
 #include "model/model.h"
 #include "model/run_outcome.h"
+#include "results/contact_summary.h"
 #include "results/quality.h"
 
 namespace knitmech::results {
@@ -18,10 +20,12 @@ inline constexpr int kSummarySchema = 1;
 /// the folder as a run folder.
 [[nodiscard]] std::string running_summary(const model::Model& model);
 
-/// The content of summary.json of a finished run (docs/results.md). Numbers that are not finite or do not exist are
-/// null. Text that is not valid UTF-8 is written with replacement characters.
+/// The content of summary.json of a finished run (docs/results.md); contacts are those of the last frame, empty if
+/// there is none. Numbers that are not finite or do not exist are null. Text that is not valid UTF-8 is written with
+/// replacement characters.
 [[nodiscard]] std::string finished_summary(const model::Model& model, const std::vector<model::HistoryRow>& history,
-                                           int n_frames, const model::RunOutcome& outcome, const Quality& quality);
+                                           int n_frames, const std::optional<ContactSummary>& contacts,
+                                           const model::RunOutcome& outcome, const Quality& quality);
 
 /// Whether a file is the summary.json of a KnitMech run; false also if it does not exist or is no JSON.
 [[nodiscard]] bool is_summary(const std::filesystem::path& path);

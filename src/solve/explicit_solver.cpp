@@ -138,7 +138,12 @@ model::HistoryRow ExplicitSolver::history() {
   row.friction_loss = contact_.friction_loss();
   row.damping_loss = beam::damping_loss(work_) + mass_damping_loss_;
   row.width = width();
+  contact_.check_crossings();
   row.contacts = contact_.n_contacts();
+  for (const contact::ContactPoint& point : contact_.points()) {
+    row.normal_force += point.load;
+    row.largest_elastic_slip = std::max(row.largest_elastic_slip, length(point.stick.elastic_slip));
+  }
   row.largest_penetration = contact_.largest_penetration();
   row.step = step_in_use_;
   return row;

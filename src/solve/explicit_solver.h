@@ -41,6 +41,8 @@ class ExplicitSolver {
   /// False once any velocity is infinite or not a number.
   [[nodiscard]] bool is_finite() const { return is_finite_; }
   [[nodiscard]] const std::optional<contact::LostCrossing>& lost_crossing() const { return contact_.lost_crossing(); }
+  [[nodiscard]] long crossing_checks() const { return contact_.crossing_checks(); }
+  [[nodiscard]] const std::vector<contact::RavelEvent>& ravelled() const { return contact_.ravelled(); }
   [[nodiscard]] double largest_penetration() const { return largest_penetration_; }
   [[nodiscard]] const model::State& state() const { return state_; }
 

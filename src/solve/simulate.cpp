@@ -125,6 +125,7 @@ class Run {
     outcome_.steps = solver_.steps();
     outcome_.largest_penetration = solver_.largest_penetration();
     outcome_.lost_crossings = solver_.lost_crossing() ? 1 : 0;
+    outcome_.crossing_checks = solver_.crossing_checks();
     outcome_.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return outcome_;
   }
@@ -141,6 +142,18 @@ class Run {
     ++n_frames_;
   }
 
+  void note_ravelling() {
+    for (std::size_t i = outcome_.ravelled.size(); i < solver_.ravelled().size(); ++i) {
+      const contact::RavelEvent& event = solver_.ravelled()[i];
+      outcome_.ravelled.push_back({.strain = model_.test.displacement(solver_.time()) / model_.test.gauge_length,
+                                   .yarn = event.yarn,
+                                   .is_last_end = event.end == contact::YarnEnd::last_node,
+                                   .other_yarn = event.other_yarn,
+                                   .other_place = event.arc_length,
+                                   .position = {event.place.x, event.place.y, event.place.z}});
+    }
+  }
+
   void fail(const Failure& failure) {
     outcome_.status = model::RunStatus::failed;
     outcome_.reason = failure.reason;
@@ -152,6 +165,7 @@ class Run {
   bool advance_to(double time) {
     while (solver_.time() < time) {
       solver_.step();
+      note_ravelling();
       outcome_.smallest_step = std::min(outcome_.smallest_step, solver_.step_length());
       if (const auto failure = failure_in_step(model_, solver_)) {
         fail(*failure);

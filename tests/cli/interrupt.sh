@@ -15,6 +15,7 @@ expect_clean_end_after() {
   expect_in run/summary.json '"status": "interrupted"'
   expect_in run/history.csv "time_s"
   expect_file run/frames/frame_0001.vtp
+  expect_file run/frames/contacts_0001.csv
   rm -r run
 }
 expect_clean_end_after INT

@@ -8,12 +8,24 @@ expect_code 0
 expect_in out "120 elements, 122 nodes, 732 degrees of freedom" "loop length" "mass scaling" "Quality:" "results/tiny"
 expect_in out "100 %"
 expect_empty err
-for file in case.toml summary.json history.csv frames/frames.pvd frames/frame_0002.vtp pictures/force-strain.svg \
-  pictures/frame_0002.png; do
+for file in case.toml summary.json history.csv frames/frames.pvd frames/frame_0002.vtp frames/contacts.pvd \
+  frames/contacts_0002.vtp frames/contacts_0002.csv pictures/force-strain.svg pictures/frame_0002.png; do
   expect_file "results/tiny/$file"
 done
 expect_in results/tiny/summary.json '"status": "completed"'
 [ "$(wc -l <results/tiny/history.csv)" -eq 22 ] || failed "history.csv has $(wc -l <results/tiny/history.csv) lines, not 22"
+
+# Contacts: their number in the last row of the history is what is printed; the tables of the frames begin with the names
+# of their columns, and the summary counts the lines of the last one.
+column=$(head -1 results/tiny/history.csv | tr ',' '\n' | grep -nx contacts | cut -d: -f1)
+expect_in out "Contact: $(tail -1 results/tiny/history.csv | cut -d, -f"${column:-1}") contacts with " \
+  "largest elastic slip of the run"
+expect_in results/tiny/history.csv ",contacts,contact_normal_force_N,largest_elastic_slip_mm,"
+expect_in results/tiny/frames/contacts_0000.csv "first_yarn,first_course,first_place_mm,second_yarn,"
+expect_in results/tiny/frames/contacts.pvd 'file="contacts_0002.vtp"'
+grep -A 5 '"contact": {' results/tiny/summary.json >contact.json
+expect_in contact.json "\"contacts\": $(($(wc -l <results/tiny/frames/contacts_0002.csv) - 1))," \
+  '"normal_force_N"' '"slipping_share"' '"elastic_slip_mm"' '"elastic_slip_ratio"'
 
 # The case of the run folder has all defaults filled in and gives the same run, into the same folder.
 expect_in results/tiny/case.toml 'step_factor = 0.9' 'out_of_plane = "auto"'

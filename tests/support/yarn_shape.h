@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -16,10 +17,11 @@ struct Place {
   Eigen::Vector3d tangent;
 };
 
-/// Nodes along a true curve, with its tangents and arc length.
+/// Nodes along a true curve, with its tangents, arc length and points amid the nodes.
 struct YarnShape {
   std::vector<Place> places;
-  std::vector<double> arc_length;  ///< [mm], from the first node
+  std::vector<double> arc_length;        ///< [mm], from the first node
+  std::vector<Eigen::Vector3d> middles;  ///< [mm], as model::Model has them; empty where the true curve is not known
 };
 
 /// n + 1 nodes at equal arc lengths of a curve. \param curve place at an arc length between 0 and `length` [mm]
@@ -29,6 +31,7 @@ YarnShape along(const Curve& curve, double length, int n_elements) {
   for (int i = 0; i <= n_elements; ++i) {
     shape.arc_length.push_back(length * i / n_elements);
     shape.places.push_back(curve(shape.arc_length.back()));
+    shape.middles.push_back(curve(length * std::min(i + 0.5, static_cast<double>(n_elements)) / n_elements).position);
   }
   return shape;
 }
@@ -57,6 +60,7 @@ inline void add_yarn(model::Model& model, const YarnShape& shape, int section = 
     model.nodes.push_back(place.position);
     model.tangents.push_back(place.tangent);
   }
+  model.middles.insert(model.middles.end(), shape.middles.begin(), shape.middles.end());
   model.arc_length.insert(model.arc_length.end(), shape.arc_length.begin(), shape.arc_length.end());
   model.half_stitch_length = model.arc_length.back();
 }

@@ -37,7 +37,8 @@ double share_handed_on(const Crossing& crossing, model::Centreline centreline) {
   const yarn::Section upper = test::monofilament();
   yarn::Section lower = upper;
   lower.bending_stiffness *= crossing.stiffer;
-  model::Model model = test::empty_model(upper, 0.0, 16, centreline);
+  const double stiffness = centreline == model::Centreline::chords ? 16 : 160;  // N/mm, hard beside the beams
+  model::Model model = test::empty_model(upper, 0.0, stiffness, centreline);
   model.sections.push_back(lower);
   const double from = -crossing.share_lower * kSpan;
   const double height = upper.diameter;

@@ -73,8 +73,8 @@ struct Mesh {
 std::vector<Mesh> meshes() {
   using model::Centreline;
   return {{Centreline::smooth, 40, {0.545, 3.28, 15.4}, 0.0},
-          {Centreline::smooth, 20, {}, 0.03},
-          {Centreline::smooth, 10, {}, 0.13},
+          {Centreline::smooth, 20, {}, 0.01},
+          {Centreline::smooth, 10, {}, 0.05},
           {Centreline::chords, 40, {0.575, 3.54, 16.6, 40.5}, 0.15},
           {Centreline::chords, 20, {0.763, 4.22, 17.7, 40.2}, 0.45},
           {Centreline::chords, 10, {1.365, 7.99, 25.2, 54.5}, 1.7}};
@@ -112,6 +112,11 @@ TEST(Fabric, GivenAWaleTest_ThenTheExternalWorkConvergesAndIsThatOfAnIndependent
       row.source = "N40, smooth";
       row.reference = finest[i];
       row.tolerance = mesh.discretisation;
+      if (i == 3 && mesh.centreline == model::Centreline::smooth) {
+        // With any change of rounding, N40 alone gives either 40.5 or 41.7 uJ here.
+        row.tolerance = 0.05;
+        row.remark = "a loop has snapped at 27 % strain, and when it snaps decides";
+      }
       test::verify(row);
     }
   }

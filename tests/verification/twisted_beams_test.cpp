@@ -21,7 +21,7 @@ constexpr double kModulus = 1000;        // MPa
 constexpr double kLength = 5000;         // mm
 constexpr double kOffset = 9.5;          // mm, of each axis from the common one: the beams overlap by one millimetre
 constexpr double kPulled = 49.6472;      // mm, by which the ends move apart; together with one full turn 1 % strain
-constexpr int kElements = 24;            // per beam
+constexpr int kElements = 48;            // per beam
 constexpr double kMassPerLength = 3e-7;  // t/mm
 
 /// Helix angle and strain after the ends have moved apart by kPulled and turned once.
@@ -83,8 +83,7 @@ double force_on_middle(test::ContactBench& bench) {
 }
 
 class TwistedBeams : public testing::TestWithParam<model::Centreline> {};
-// On the smooth centreline, overlaps this long do not come to rest: see the limits in docs/theory.md.
-INSTANTIATE_TEST_SUITE_P(Contact, TwistedBeams, testing::Values(model::Centreline::chords), test::name_of_parameter);
+KNITMECH_WITH_EVERY_CENTRELINE(TwistedBeams);
 
 TEST_P(TwistedBeams, GivenOneFullTurnAndOnePercentStrain_ThenTheLineForceIsThatOfTwoHelices) {
   const Twisted shape;

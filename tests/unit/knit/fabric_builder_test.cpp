@@ -3,10 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 #include "base/errors.h"
 #include "example_loop.h"
+#include "knit/erc.h"
 
 namespace knitmech::knit {
 namespace {
@@ -90,6 +92,23 @@ TEST(FabricBuilder, ChordsOfAFineMeshAreAsLongAsTheArc) {
   double chords = 0;
   for (std::size_t i = 0; i + 1 < yarn.points.size(); ++i) chords += (yarn.points[i + 1] - yarn.points[i]).norm();
   EXPECT_NEAR(chords, yarn.arc_length.back(), 1e-5 * chords);
+}
+
+TEST(FabricBuilder, MiddlesLieOnTheLoopHalfWayBetweenTheNodes) {
+  const FabricLayout layout = small_layout();
+  const Erc erc = make_erc(layout.loop);
+  const YarnCurve yarn = build_fabric(layout).yarns.back();
+  ASSERT_EQ(yarn.middles.size(), yarn.points.size());
+  for (std::size_t i = 0; i + 1 < yarn.points.size(); ++i) {
+    // Given N = 10, the yarn comes from a foot to the head of a wale in ten elements and goes on to the next foot in
+    // ten, the mirror image.
+    const auto wale = static_cast<double>(i / 20);
+    const double from_head = (static_cast<double>(i % 20) - 9.5) * erc.length / 10;
+    Vector3d on_loop = point_at_arc_length(erc, std::abs(from_head)).position;
+    if (from_head < 0) on_loop.x() *= -1;
+    EXPECT_LT((yarn.middles[i] - on_loop - Vector3d(3.9 * wale, 5, 0)).norm(), 1e-12) << "element " << i;
+  }
+  EXPECT_EQ(yarn.middles.back(), yarn.points.back());
 }
 
 TEST(FabricBuilder, ArcLengthGrowsByTheSameStepFromNodeToNode) {

@@ -39,6 +39,7 @@ TEST(BuildModel, HasTheCountsOfTheExample) {
   EXPECT_EQ(model.n_nodes(), 2715);
   EXPECT_EQ(model.yarns.size(), 15U);
   EXPECT_EQ(model.tangents.size(), model.nodes.size());
+  EXPECT_EQ(model.middles.size(), model.nodes.size());
   EXPECT_EQ(model.arc_length.size(), model.nodes.size());
 }
 

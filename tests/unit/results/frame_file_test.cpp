@@ -9,6 +9,8 @@
 #include <stdexcept>
 
 #include "results/base64.h"
+#include "results/collection_file.h"
+#include "results/contact_file.h"
 #include "results/node_values.h"
 #include "sample_run.h"
 #include "vtk_xml_reader.h"
@@ -117,10 +119,17 @@ TEST_F(FrameFile, RefusesAFrameOfAnotherModel) {
 }
 
 TEST(FrameCollection, ListsTheFramesWithTheirStrain) {
-  const std::string text = collection_text({{0, 0.0}, {1, 0.022}});
+  const std::string text = collection_text({{0, 0.0}, {1, 0.022}}, frame_file_name);
   EXPECT_TRUE(test::is_well_formed(text));
   EXPECT_THAT(text, HasSubstr(R"(<DataSet timestep="0" group="" part="0" file="frame_0000.vtp"/>)"));
   EXPECT_THAT(text, HasSubstr(R"(<DataSet timestep="0.022" group="" part="0" file="frame_0001.vtp"/>)"));
+}
+
+TEST(FrameCollection, ListsTheContactsOfTheFramesWithTheSameStrain) {
+  const std::string text = collection_text({{0, 0.0}, {12, 0.22}}, contact_points_file_name);
+  EXPECT_TRUE(test::is_well_formed(text));
+  EXPECT_THAT(text, HasSubstr(R"(<DataSet timestep="0" group="" part="0" file="contacts_0000.vtp"/>)"));
+  EXPECT_THAT(text, HasSubstr(R"(<DataSet timestep="0.22" group="" part="0" file="contacts_0012.vtp"/>)"));
 }
 
 TEST(Base64, AgreesWithTheExamplesOfRfc4648) {

@@ -50,6 +50,28 @@ TEST(Quality, AnIdealTestIsQuasiStaticAndSaysSo) {
   EXPECT_THAT(quality.verdict, HasSubstr("Quasi-static"));
 }
 
+TEST(Quality, TheElasticSlipIsTheLargestOfTheWholeHistoryOverTheDiameter) {
+  // Given sticks that stretch by 0.0006 mm in the toe region and by less afterwards, on a yarn of 0.12 mm.
+  std::vector<HistoryRow> history = perfect_history();
+  history[10].largest_elastic_slip = 0.0006;
+  history[150].largest_elastic_slip = 0.0003;
+  const Quality quality = assess_quality(history, {}, kDiameter);
+  EXPECT_EQ(quality.elastic_slip, 0.0006);
+  EXPECT_DOUBLE_EQ(quality.elastic_slip_ratio, 0.005);
+  // Without diameter there is no ratio.
+  EXPECT_EQ(assess_quality(history, {}, 0.0).elastic_slip, 0.0006);
+  EXPECT_EQ(assess_quality(history, {}, 0.0).elastic_slip_ratio, 0.0);
+}
+
+TEST(Quality, TheElasticSlipIsKnownOfARunThatNeverLeftTheToeRegion) {
+  // Given a history without work, of which nothing else can be judged.
+  std::vector<HistoryRow> history(3);
+  history[1].largest_elastic_slip = 0.0006;
+  const Quality quality = assess_quality(history, {}, kDiameter);
+  ASSERT_FALSE(quality.toe_strain.has_value());
+  EXPECT_DOUBLE_EQ(quality.elastic_slip_ratio, 0.005);
+}
+
 TEST(Quality, TheToeEndsWhereTheWorkReachesItsShare) {
   // Given work (strain / 0.2)^3, which is 10 % at strain 0.2 * 0.1^(1/3) = 0.09283: the first row after it is at 0.093.
   const Quality quality = assess_quality(perfect_history(), {}, kDiameter);

@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "base/errors.h"
 #include "results/atomic_file.h"
+#include "results/contact_file.h"
 #include "results/history_file.h"
 #include "sample_run.h"
 #include "vtk_xml_reader.h"
@@ -20,6 +22,7 @@ using nlohmann::json;
 using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::Not;
 using testing::ThrowsMessage;
 
 class RunFolderTest : public testing::Test {
@@ -63,8 +66,10 @@ TEST_F(RunFolderTest, HoldsTheFilesOfARun) {
   folder.log("second line");
   folder.finish(model::RunOutcome{});
   // Then the folder holds these files, and no temporary one.
-  EXPECT_THAT(files(), ElementsAre("case.toml", "frames/frame_0000.vtp", "frames/frame_0001.vtp", "frames/frames.pvd",
-                                   "history.csv", "log.txt", "summary.json"));
+  EXPECT_THAT(files(),
+              ElementsAre("case.toml", "frames/contacts.pvd", "frames/contacts_0000.csv", "frames/contacts_0000.vtp",
+                          "frames/contacts_0001.csv", "frames/contacts_0001.vtp", "frames/frame_0000.vtp",
+                          "frames/frame_0001.vtp", "frames/frames.pvd", "history.csv", "log.txt", "summary.json"));
   EXPECT_EQ(read_file(dir_ / "case.toml"), "title = \"x\"\n");
   EXPECT_EQ(read_file(dir_ / "log.txt"), "first line\nsecond line\n");
   const std::vector<model::HistoryRow> history = read_history(dir_ / "history.csv");
@@ -72,6 +77,24 @@ TEST_F(RunFolderTest, HoldsTheFilesOfARun) {
   EXPECT_EQ(history[1].strain, 0.1);
   EXPECT_TRUE(test::read_vtk_xml(read_file(dir_ / "frames" / "frame_0001.vtp")).well_formed);
   EXPECT_THAT(read_file(dir_ / "frames" / "frames.pvd"), HasSubstr("file=\"frame_0001.vtp\""));
+  EXPECT_THAT(read_file(dir_ / "frames" / "contacts.pvd"), HasSubstr("file=\"contacts_0001.vtp\""));
+}
+
+TEST_F(RunFolderTest, HoldsTheContactsOfEachFrameForTablesAndForParaView) {
+  // Given a frame with three contacts and one with two.
+  RunFolder folder(dir_, "", model_);
+  const model::Frame three = test::awkward_frame(model_, 0);
+  model::Frame two = test::awkward_frame(model_, 1);
+  two.contacts.pop_back();
+  // When they are written.
+  folder.add_frame(three);
+  folder.add_frame(two);
+  // Then each has the table and the points of its own contacts.
+  const fs::path frames = dir_ / "frames";
+  EXPECT_EQ(read_file(frames / "contacts_0000.csv"), contact_table_text(model_, three));
+  EXPECT_EQ(read_file(frames / "contacts_0001.csv"), contact_table_text(model_, two));
+  EXPECT_EQ(test::read_vtk_xml(read_file(frames / "contacts_0000.vtp")).piece.at("NumberOfPoints"), "3");
+  EXPECT_EQ(test::read_vtk_xml(read_file(frames / "contacts_0001.vtp")).piece.at("NumberOfPoints"), "2");
 }
 
 TEST_F(RunFolderTest, TheSummaryCountsAndJudges) {
@@ -108,8 +131,11 @@ TEST_F(RunFolderTest, TheSummaryCountsAndJudges) {
 
 TEST_F(RunFolderTest, TheSummaryOfAFailedRunWithoutHistoryHasNullsAndNoNotANumber) {
   RunFolder folder(dir_, "", model_);
-  folder.finish(
-      {.status = model::RunStatus::failed, .reason = "the step collapsed", .advice = "use less mass scaling"});
+  model::RunOutcome outcome;
+  outcome.status = model::RunStatus::failed;
+  outcome.reason = "the step collapsed";
+  outcome.advice = "use less mass scaling";
+  folder.finish(outcome);
   const json document = summary();
   EXPECT_EQ(document["status"], "failed");
   EXPECT_EQ(document["reason"], "the step collapsed");
@@ -117,6 +143,48 @@ TEST_F(RunFolderTest, TheSummaryOfAFailedRunWithoutHistoryHasNullsAndNoNotANumbe
   EXPECT_TRUE(document["final"]["force_top_N"].is_null());
   EXPECT_TRUE(document["quality"]["kinetic_ratio"].is_null());
   EXPECT_TRUE(document["solver"]["element_steps_per_s"].is_null());
+}
+
+TEST_F(RunFolderTest, TheSummarySumsUpTheContactsOfTheLastFrame) {
+  // Given a frame with contacts, then one with a contact that slips and one that sticks, and a history in which the
+  // elastic slip and the normal force were largest before the end.
+  RunFolder folder(dir_, "", model_);
+  folder.add_frame(test::awkward_frame(model_, 0));
+  model::Frame last = test::awkward_frame(model_, 1);
+  last.contacts = {{.first_yarn = 0, .second_yarn = 1, .normal_force = 0.5, .elastic_slip = 0.0006},
+                   {.first_yarn = 1, .second_yarn = 1, .normal_force = 0.25, .slips = true}};
+  folder.add_frame(last);
+  for (const auto& [normal_force, elastic_slip] : {std::pair{0.1, 0.0}, {2.0, 0.0012}, {0.75, 0.0006}}) {
+    model::HistoryRow row = row_at(0.1);
+    row.normal_force = normal_force;
+    row.largest_elastic_slip = elastic_slip;
+    folder.add_history(row);
+  }
+  // When the run ends.
+  folder.finish({});
+  // Then the summary has the contacts of the end, the diameter being the 0.12 mm of the thinner yarn, and the largest
+  // of the whole run.
+  const json document = summary();
+  const json& contact = document["contact"];
+  EXPECT_EQ(contact["contacts"], 2);
+  EXPECT_EQ(contact["normal_force_N"], 0.75);
+  EXPECT_EQ(contact["slipping_share"], 0.5);
+  EXPECT_EQ(contact["elastic_slip_mm"], 0.0006);
+  EXPECT_DOUBLE_EQ(contact["elastic_slip_ratio"].get<double>(), 0.005);
+  EXPECT_EQ(document["largest"]["contact_normal_force_N"], 2.0);
+  EXPECT_EQ(document["quality"]["elastic_slip_mm"], 0.0012);
+  EXPECT_DOUBLE_EQ(document["quality"]["elastic_slip_ratio"].get<double>(), 0.01);
+}
+
+TEST_F(RunFolderTest, TheSummaryOfARunWithoutFramesKnowsNoContacts) {
+  RunFolder folder(dir_, "", model_);
+  folder.finish({});
+  const json document = summary();
+  const json& contact = document["contact"];
+  for (const char* key : {"contacts", "normal_force_N", "slipping_share", "elastic_slip_mm", "elastic_slip_ratio"}) {
+    ASSERT_TRUE(contact.contains(key)) << key;
+    EXPECT_TRUE(contact[key].is_null()) << key;
+  }
 }
 
 TEST_F(RunFolderTest, ARunThatIsKilledKeepsWhatWasThereAtItsLastFrame) {
@@ -141,10 +209,15 @@ TEST_F(RunFolderTest, AnOlderRunIsClearedOfItsOwnFilesOnly) {
   }
   test::write_text(dir_ / "notes.txt", "mine");
   test::write_text(dir_ / "frames" / "frame_final.vtp", "mine");
-  test::write_text(dir_ / "frames" / "frame_0003.vtp.partial", "left by a killed run");
+  test::write_text(dir_ / "frames" / "contacts_of_course_3.csv", "mine");
+  for (const char* name : {"frame_0003.vtp", "contacts_0003.vtp", "contacts_0003.csv", "contacts.pvd"}) {
+    test::write_text(dir_ / "frames" / (std::string{name} + ".partial"), "left by a killed run");
+  }
   const RunFolder newer(dir_, "newer", model_);
-  EXPECT_THAT(files(), ElementsAre("case.toml", "frames/frame_final.vtp", "frames/frames.pvd", "history.csv",
-                                   "notes.txt", "summary.json"));
+  EXPECT_THAT(files(),
+              ElementsAre("case.toml", "frames/contacts.pvd", "frames/contacts_of_course_3.csv",
+                          "frames/frame_final.vtp", "frames/frames.pvd", "history.csv", "notes.txt", "summary.json"));
+  EXPECT_THAT(read_file(dir_ / "frames" / "contacts.pvd"), Not(HasSubstr("contacts_0000.vtp")));
   EXPECT_EQ(read_file(dir_ / "case.toml"), "newer");
   EXPECT_TRUE(read_history(dir_ / "history.csv").empty());
 }

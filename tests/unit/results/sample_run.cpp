@@ -5,6 +5,7 @@
 #include <cmath>
 #include <fstream>
 #include <limits>
+#include <utility>
 
 namespace knitmech::test {
 
@@ -68,6 +69,21 @@ model::Frame awkward_frame(const model::Model& model, int index) {
       const bool last_of_yarn = i == 2 || i == 6;
       values->push_back(last_of_yarn ? 0.0 : number());
     }
+  }
+  for (const auto& [first, second] : {std::pair{0, 1}, std::pair{0, 0}, std::pair{1, 1}}) {
+    frame.contacts.push_back({.first_yarn = first,
+                              .second_yarn = second,
+                              .first_place = number(),
+                              .second_place = number(),
+                              .position = vector(),
+                              .normal = vector().normalized(),
+                              .gap = -number(),
+                              .normal_force = number(),
+                              .friction_force = vector(),
+                              .elastic_slip = number(),
+                              .slip = number(),
+                              .slips = first == 0 && second == 0,
+                              .angle = number()});
   }
   return frame;
 }

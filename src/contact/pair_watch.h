@@ -1,0 +1,41 @@
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "contact/contact_elements.h"
+#include "contact/motion.h"
+#include "contact/neighbour_search.h"
+
+namespace knitmech::contact {
+
+/// Which of the pairs of pieces that are near each other have to be looked at.
+///
+/// A pair that is apart sleeps until its yarns might have come near enough to be followed (kFollowed in constants.h).
+class PairWatch {
+ public:
+  /// Begins with a new list of pairs, all awake. Motion must have been started anew.
+  void begin(std::vector<ElementPair> pairs) {
+    pairs_ = std::move(pairs);
+    wakes_.assign(pairs_.size(), 0.0);
+  }
+  [[nodiscard]] const std::vector<ElementPair>& pairs() const { return pairs_; }
+
+  /// Calls look(pair) for every pair that is awake; it returns a length by which the yarns may come nearer to each
+  /// other until the pair has to be looked at again [mm].
+  template <typename Look>
+  void look_at_all(const ContactElements& pieces, const Motion& motion, const Look& look) {
+    for (std::size_t p = 0; p < pairs_.size(); ++p) {
+      const auto first = static_cast<std::size_t>(pieces.element_of(pairs_[p].first));
+      const auto second = static_cast<std::size_t>(pieces.element_of(pairs_[p].second));
+      const double moved = motion.of(first) + motion.of(second);
+      if (moved >= wakes_[p]) wakes_[p] = moved + look(pairs_[p]);
+    }
+  }
+
+ private:
+  std::vector<ElementPair> pairs_;
+  std::vector<double> wakes_;  ///< motion of both elements since the search at which a pair wakes [mm]
+};
+
+}  // namespace knitmech::contact

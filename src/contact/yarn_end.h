@@ -1,0 +1,68 @@
+#pragma once
+
+#include "contact/closest_places.h"
+#include "contact/line_potential.h"
+
+namespace knitmech::contact {
+
+/// An overlap that an end of a yarn cuts short: its resultant, and the places where that acts.
+struct CutLoad {
+  YarnPlace first, second;
+  Vector3 normal;      ///< unit vector, first to second
+  double load = 0;     ///< [N]
+  double tangent = 0;  ///< [N/mm]
+  double energy = 0;   ///< [mJ]
+};
+
+/// Distances along the yarn from a place to its ends [mm].
+struct ToEnds {
+  double back, ahead;
+};
+KNITMECH_INLINE ToEnds to_ends(const YarnElements& elements, YarnPlace place) {
+  const auto element = static_cast<std::size_t>(place.element);
+  const double along = place.share * elements.length[element];
+  return {elements.before[element] + along, elements.after[element] - along};
+}
+
+/// Whether an end of the first yarn lies within the overlap about the closest places.
+KNITMECH_INLINE bool end_cuts_first(const YarnElements& elements, const Followed& closest, double distance,
+                                    const PairSize& size) {
+  const ToEnds ends = to_ends(elements, closest.first);
+  const double nearest = ends.back < ends.ahead ? ends.back : ends.ahead;
+  const double across = 2 * (size.radii - distance) * distance * size.first_length * size.first_length;
+  const double reach = across * closest.hessian.tt;
+  return nearest <= 0 || reach > nearest * nearest * closest.hessian.determinant();
+}
+
+KNITMECH_INLINE bool end_cuts_second(const YarnElements& elements, const Followed& closest, double distance,
+                                     const PairSize& size) {
+  const ToEnds ends = to_ends(elements, closest.second);
+  const double nearest = ends.back < ends.ahead ? ends.back : ends.ahead;
+  const double across = 2 * (size.radii - distance) * distance * size.second_length * size.second_length;
+  const double reach = across * closest.hessian.ss;
+  return nearest <= 0 || reach > nearest * nearest * closest.hessian.determinant();
+}
+
+/// A crossing at an end of the first yarn: the strips across the second yarn (see sample_load()), integrated along the
+/// first yarn as far as it goes.
+[[nodiscard]] CutLoad crossing_at_end(const YarnElements& elements, const Centreline& line, const Followed& closest,
+                                      const PairSize& size);
+
+/// A sample of the first yarn at an end of the second: the normal law, integrated along the second as far as it goes.
+/// \param length of the sample [mm]
+[[nodiscard]] CutLoad sample_at_end(const YarnElements& elements, const Centreline& line, const Followed& nearest,
+                                    const PairSize& size, double length, double share);
+
+/// The same places seen from the other yarn.
+[[nodiscard]] inline Followed swapped(const Followed& here) {
+  Followed other = here;
+  other.first = here.second;
+  other.second = here.first;
+  other.at = {here.at.second, here.at.first, -1.0 * here.at.between};
+  other.hessian = {here.hessian.tt, here.hessian.st, here.hessian.ss};
+  other.slope_first = here.slope_second;
+  other.slope_second = here.slope_first;
+  return other;
+}
+
+}  // namespace knitmech::contact

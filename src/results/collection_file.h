@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace knitmech::results {
+
+/// A frame of a collection file.
+struct FrameEntry {
+  int index = 0;
+  double strain = 0;  ///< [-]
+};
+
+/// ParaView's collection file (frames.pvd, contacts.pvd), which lists a file per frame with the strain [-] in the place
+/// of the time. file_name gives the file of a frame: frame_file_name() or contact_points_file_name().
+[[nodiscard]] std::string collection_text(const std::vector<FrameEntry>& entries, std::string (*file_name)(int index));
+
+}  // namespace knitmech::results

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+
+#include "model/model.h"
+#include "model/run_outcome.h"
+
+namespace knitmech::results {
+
+/// Where a yarn end slipped out of a loop, in the words of the fabric; courses and wales count from 1 at the bottom
+/// left.
+struct RavelledPlace {
+  int course = 0;        ///< of the yarn whose end it is
+  std::string side;      ///< "left" or "right": which of its ends
+  int other_course = 0;  ///< of the yarn that it slipped over
+  int other_wale = 0;
+};
+
+[[nodiscard]] RavelledPlace place_of(const model::Model& model, const model::Ravelling& event);
+
+/// "Ravelling: 12 yarn ends slipped out of loops, first the left end of course 3 over course 2, wale 1, at 25.3 %
+/// strain."; empty if none did.
+[[nodiscard]] std::string ravelling_text(const model::Model& model, const model::RunOutcome& outcome);
+
+}  // namespace knitmech::results
