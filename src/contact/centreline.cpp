@@ -25,17 +25,24 @@ struct Turning {
   double* __restrict tx, * __restrict ty, * __restrict tz;  ///< now
 };
 
-KNITMECH_VECTORISE void turn_all(const model::RotationArray& rotation, Turning v, std::size_t n) {
+KNITMECH_INLINE void turn_one(double w, Vector3 q, const Turning& v, std::size_t i) {
+  const Vector3 t = turned(w, q, {v.x[i], v.y[i], v.z[i]});
+  v.tx[i] = t.x;
+  v.ty[i] = t.y;
+  v.tz[i] = t.z;
+}
+
+KNITMECH_VECTORISE void turn_all(const model::RotationArray& rotation, Turning a, Turning b, Turning c, std::size_t n) {
   const double* w = rotation.w.data();
   const double* qx = rotation.x.data();
   const double* qy = rotation.y.data();
   const double* qz = rotation.z.data();
 #pragma GCC ivdep
   for (std::size_t i = 0; i < n; ++i) {
-    const Vector3 t = turned(w[i], {qx[i], qy[i], qz[i]}, {v.x[i], v.y[i], v.z[i]});
-    v.tx[i] = t.x;
-    v.ty[i] = t.y;
-    v.tz[i] = t.z;
+    const Vector3 q{qx[i], qy[i], qz[i]};
+    turn_one(w[i], q, a, i);
+    turn_one(w[i], q, b, i);
+    turn_one(w[i], q, c, i);
   }
 }
 
@@ -113,9 +120,8 @@ void Centreline::update(const model::State& state, CommonMotion common, double s
               rotation_.x.data(), rotation_.y.data(), rotation_.z.data(), moved_.data()},
              2 * reach_of_turn_, common.start * step, common.rate * step, n);
   if (!smooth_) return;
-  turn_all(q, turning(stress_free_tangent_, tangent_), n);
-  turn_all(q, turning(stress_free_bow_after_, bow_after_), n);
-  turn_all(q, turning(stress_free_bow_before_, bow_before_), n);
+  turn_all(q, turning(stress_free_tangent_, tangent_), turning(stress_free_bow_after_, bow_after_),
+           turning(stress_free_bow_before_, bow_before_), n);
 }
 
 model::VectorArray Centreline::piece_positions(const ContactElements& pieces) const {

@@ -52,6 +52,12 @@ class Centreline {
   /// The curve of a piece of an element; its straight chord on chords.
   [[nodiscard]] Curve piece_curve(const ContactElements& pieces, std::int32_t piece) const;
 
+  /// Where a node is, its tangent, and the halves of the bows beside it, turned with it.
+  [[nodiscard]] KNITMECH_INLINE Vector3 tangent(std::size_t node) const { return tangent_.at(node); }
+  [[nodiscard]] KNITMECH_INLINE Vector3 bow_after(std::size_t node) const { return bow_after_.at(node); }
+  [[nodiscard]] KNITMECH_INLINE Vector3 bow_before(std::size_t node) const { return bow_before_.at(node); }
+  [[nodiscard]] KNITMECH_INLINE double length(std::size_t element) const { return length_[element]; }
+
   /// \param weights hermite() at a place, or one of its derivatives   @pre the line is smooth
   [[nodiscard]] KNITMECH_INLINE Hold hold(std::size_t element, HermiteWeights weights) const {
     const double size = length_[element];

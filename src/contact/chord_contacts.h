@@ -11,7 +11,7 @@ namespace knitmech::contact {
 
 /// Closest points of two chords that overlap.
 struct ChordContact {
-  std::uint64_t key;  ///< see chord_key()
+  std::uint64_t key = 0;  ///< see chord_key()
   ContactPoint point;
 };
 

@@ -10,12 +10,13 @@ namespace knitmech::contact {
 
 /// Places on two yarns that are followed while the yarns move, with what is known about them there.
 struct Followed {
-  YarnPlace first, second;  ///< shares may lie a small step beyond the element
-  Places at;
-  Hessian hessian;
-  double slope_first;   ///< derivative of |between|^2 / 2 by the first share [mm^2]; not 0 where held at a yarn's end
-  double slope_second;  ///< by the second share
-  bool is_minimum;      ///< found, and the distance grows in every free direction
+  YarnPlace first{}, second{};  ///< shares may lie a small step beyond the element
+  Places at{};
+  Hessian hessian{};
+  double slope_first =
+      0;  ///< derivative of |between|^2 / 2 by the first share [mm^2]; not 0 where held at a yarn's end
+  double slope_second = 0;  ///< by the second share
+  bool is_minimum = false;  ///< found, and the distance grows in every free direction
 };
 
 /// Change of a place [share of an element] below which Newton's method need not look again: the error that is left is
@@ -68,10 +69,7 @@ KNITMECH_INLINE void move(Followed& here, double ds, double dt) {
 /// is enough.
 KNITMECH_INLINE Followed follow_closest(const YarnElements& elements, const Centreline& line, YarnPlace first,
                                         YarnPlace second) {
-  Followed here;
-  here.first = first;
-  here.second = second;
-  here.is_minimum = false;
+  Followed here{.first = first, .second = second};
   for (int i = 0; i < kMostSteps; ++i) {
     look(elements, line, here);
     const Hessian& m = here.hessian;
@@ -109,10 +107,7 @@ KNITMECH_INLINE Followed follow_closest(const YarnElements& elements, const Cent
 /// The same with the place on the first yarn given: follows the place on the second that is nearest to it.
 KNITMECH_INLINE Followed follow_nearest(const YarnElements& elements, const Centreline& line, YarnPlace first,
                                         YarnPlace second) {
-  Followed here;
-  here.first = first;
-  here.second = second;
-  here.is_minimum = false;
+  Followed here{.first = first, .second = second};
   for (int i = 0; i < kMostSteps; ++i) {
     look(elements, line, here);
     const bool free_t = !is_held(elements, here.second, here.slope_second);

@@ -4,8 +4,12 @@
 namespace knitmech::contact {
 
 /// Skin of the neighbour lists, in units of the larger yarn diameter [-]. Pairs nearer than this are kept in the list,
-/// which stays valid until a node has moved half of it. Larger: fewer searches, more pairs to look at in every step.
-inline constexpr double kSkin = 0.4;
+/// which stays valid until a node has moved half of it. Larger: fewer searches, more pairs in the list, most of which
+/// sleep.
+inline constexpr double kSkin = 0.8;
+
+/// Motion of a yarn after which all crossings are checked [yarn diameters]; see crossing_watch.h.
+inline constexpr double kCheckCrossings = 0.2;
 
 /// Elements of one yarn closer along the arc than this share of pi D [-] are not in contact with each other: to touch
 /// there, the yarn would have to be bent tighter than its own radius. Smaller would lock short elements.
@@ -19,15 +23,19 @@ inline constexpr double kReferenceOverlap = 0.02;
 /// Size of an overlap, root of the sum of the squares of its half lengths along both yarns, in units of the sum of the
 /// radii: one that grows beyond the second is sampled along the yarns, one that shrinks below the first is integrated
 /// about its closest places. Larger: faster, less exact where curved yarns lie side by side.
-inline constexpr double kShortOverlap = 0.8;
-inline constexpr double kLongOverlap = 1.2;
+inline constexpr double kShortOverlap = 1.0;
+inline constexpr double kLongOverlap = 1.5;
+
+/// Size beyond which an overlap is not integrated about its closest places, even before the next look [sums of the
+/// radii].
+inline constexpr double kLongestOverlap = 3.0;
 
 /// Least penetration with which the size of an overlap is judged [sums of the radii]: yarns that lie side by side and
 /// hardly touch are sampled all the same, although the gap between them undulates with the elements.
 inline constexpr double kJudgedOverlap = 0.01;
 
 /// Distance of the samples in long overlaps, in units of the sum of the radii [-].
-inline constexpr double kSampleSpacing = 0.2;
+inline constexpr double kSampleSpacing = 0.25;
 
 /// Most samples on one element [-]; an element that needs more is far too coarse.
 inline constexpr int kMostSamples = 400;

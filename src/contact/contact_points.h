@@ -10,13 +10,13 @@ namespace knitmech::contact {
 
 /// One place where two yarns press on each other.
 struct ContactPoint {
-  YarnPlace first, second;  ///< on yarns in ascending order of elements
-  Vector3 normal;           ///< unit vector from the first centreline to the second
-  double penetration;       ///< sum of the radii minus centreline distance [mm], > 0
-  double load;              ///< normal force [N]
-  double tangent;           ///< derivative of the load by the penetration [N/mm]
-  double energy;            ///< stored in the normal law [mJ]
-  double stick_stiffness;   ///< [N/mm]
+  YarnPlace first{}, second{};  ///< on yarns in ascending order of elements
+  Vector3 normal{};             ///< unit vector from the first centreline to the second
+  double penetration = 0;       ///< sum of the radii minus centreline distance [mm], > 0
+  double load = 0;              ///< normal force [N]
+  double tangent = 0;           ///< derivative of the load by the penetration [N/mm]
+  double energy = 0;            ///< stored in the normal law [mJ]
+  double stick_stiffness = 0;   ///< [N/mm]
   SlipMemory stick;
 
   [[nodiscard]] double stick_energy() const {

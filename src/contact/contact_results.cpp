@@ -65,7 +65,7 @@ void YarnContact::set_contact_results(model::Frame& frame) const {
   const std::size_t n = frame.points.size();
   model::NodalLoads loads(n);
   frame.contacts.clear();
-  for (const ContactPoint& point : points_) {
+  for (const ContactPoint& point : points()) {
     const Vector3 on_second = point.load * point.normal + point.friction_force();
     centreline_.spread(point.second, on_second, loads);
     centreline_.spread(point.first, -1.0 * on_second, loads);

@@ -16,9 +16,9 @@ namespace knitmech::contact {
 /// arc's curvature and L the element's length, which at N10 is a tenth of the yarn diameter, and just where the heads
 /// and feet of two courses meet.
 struct Curve {
-  Vector3 start, end;              ///< a, b [mm]
-  Vector3 start_slope, end_slope;  ///< a', b' [mm]
-  Vector3 bow{0, 0, 0};            ///< c [mm]
+  Vector3 start{}, end{};              ///< a, b [mm]
+  Vector3 start_slope{}, end_slope{};  ///< a', b' [mm]
+  Vector3 bow{};                       ///< c [mm]
 };
 
 /// Values of the four Hermite functions and the bow's, or of their derivatives.

@@ -76,14 +76,15 @@ struct PairSize {
 ///
 /// with M the Hessian. For two straight yarns that cross at an angle c, load = pi k D d^2 / sin c to first order.
 /// @pre M is positive definite, the places are where both slopes of the distance vanish, 0 < penetration < D
+template <typename Law = AnyOverlap>
 KNITMECH_INLINE PairLoad crossing_load(const Places& closest, const Hessian& m, double distance, const PairSize& size) {
   const double penetration = size.radii - distance;
   const double inverse = 1 / m.determinant();
   const double scale =
       2 * std::numbers::pi * size.density * size.first_length * size.second_length * distance * std::sqrt(inverse);
   const Vector3 normal = (1 / distance) * closest.between;
-  const double energy = scale * integral_of_energy(penetration, size.radii);
-  const double pressed = scale * normal_energy(penetration, size.radii);
+  const double energy = scale * Law::integral(penetration, size.radii);
+  const double pressed = scale * Law::energy(penetration, size.radii);
   const double h = 0.5 * energy * inverse;
 
   // Derivatives of the energy by between, x_a', x_a'', x_b', x_b''.
@@ -117,12 +118,13 @@ KNITMECH_INLINE PairLoad crossing_load(const Places& closest, const Hessian& m, 
 ///     energy = k w L_b sqrt(distance / M_tt) (strip law of d)
 ///
 /// @pre M_tt > 0, the place on the second curve is the one nearest to that on the first, 0 < penetration < D
-/// \param length w of the sampled piece [mm]; size.first_length is not used
-/// \param share factor on everything, taken as constant
+/// \param weight length w of the sampled piece [mm], times a factor that is taken as constant; size.first_length is not
+/// used
+template <typename Law = AnyOverlap>
 KNITMECH_INLINE PairLoad sample_load(const Places& at, const Hessian& m, double distance, const PairSize& size,
-                                     double length, double share) {
-  const StripLaw law = strip_law(size.radii - distance, size.radii);
-  const double scale = share * size.density * length * size.second_length * std::sqrt(distance / m.tt);
+                                     double weight) {
+  const StripLaw law = Law::strip(size.radii - distance, size.radii);
+  const double scale = size.density * weight * size.second_length * std::sqrt(distance / m.tt);
   const Vector3 normal = (1 / distance) * at.between;
   const double energy = scale * law.energy;
   const double pressed = scale * law.force;

@@ -132,9 +132,8 @@ class Look {
 
   /// Looks at all pairs that touch for overlaps to be sampled; drops samples where closest places count the overlap.
   void sample() {
-    std::erase_if(contacts_.samples, [&](const Sample& sample) {
-      return sample.on_second ? is_counted(sample.other, sample.at) : is_counted(sample.at, sample.other);
-    });
+    std::erase_if(contacts_.samples,
+                  [&](const Sample& sample) { return is_counted(sample.at, sample.other, sample.on_second); });
     ByElement samples_on(elements_.n_nodes());
     for (const Sample& sample : contacts_.samples) samples_on.add(sample.at.element);
     for (const ElementPair pair : touching_) {
@@ -161,19 +160,18 @@ class Look {
       if (along_.near(crossing.first, first, same) && along_.near(crossing.second, second, same)) known = &crossing;
     });
     if (known == nullptr) {
-      contacts_.crossings.push_back({.first = first, .second = second, .stick = memory_near(first, second)});
+      contacts_.crossings.push_back({.first = first, .second = second, .now = {.stick = memory_near(first, second)}});
       crossings_on_.add(first.element);
       known = &contacts_.crossings.back();
     }
     known->gap = gap;
     judge(*known, first, second);
+    if (!known->is_short) known->now = {};
   }
 
   /// Decides whether an overlap is integrated about its closest places.
   void judge(Crossing& crossing, YarnPlace first, YarnPlace second) const {
-    Followed here;
-    here.first = first;
-    here.second = second;
+    Followed here{.first = first, .second = second};
     look(elements_, line_, here);
     const PairSize size = size_of(here.first, here.second);
     const double distance = length(here.at.between);
@@ -197,18 +195,21 @@ class Look {
     const double distance = length(closest.at.between);
     const double judged = std::max(size.radii - distance, kJudgedOverlap * size.radii);
     const double rise = share * kBeyondEnd * kBeyondEnd * judged;
-    for (const double side : {-kBeyondEnd, kBeyondEnd}) {
+    const auto has_risen = [&](double side) {
       const YarnPlace aside =
           walk(elements_, {closest.first.element, closest.first.share + side * half / size.first_length});
-      if (along_.distance(aside, closest.first) < half) continue;  // the yarn ends before
+      if (along_.distance(aside, closest.first) < half) return true;  // the yarn ends before
       const Followed nearest = follow_nearest(elements_, line_, aside, closest.second);
-      if (length(nearest.at.between) - distance < rise) return false;
-    }
-    return true;
+      return length(nearest.at.between) - distance >= rise;
+    };
+    return has_risen(-kBeyondEnd) && has_risen(kBeyondEnd);
   }
 
   /// Whether the overlap at two places is integrated about the closest places of a crossing.
-  [[nodiscard]] bool is_counted(YarnPlace first, YarnPlace second) const {
+  /// \param on_second the sampled place is that on the second yarn
+  [[nodiscard]] bool is_counted(YarnPlace sampled, YarnPlace other, bool on_second) const {
+    const YarnPlace first = on_second ? other : sampled;
+    const YarnPlace second = on_second ? sampled : other;
     const double farthest = (kBeyondEnd * kLongOverlap + kSampleSpacing) * along_.radii(first, second);
     bool counted = false;
     crossings_on_.around(first.element, along_.elements_within(farthest), [&](std::size_t i) {
@@ -236,7 +237,7 @@ class Look {
       const Vector3 here = combine(curve, hermite(at.share));
       const double start = closest_on_segment(here, other.start, along);
       const Vector3 to_chord = other.start + start * along - here;
-      if (dot(to_chord, to_chord) >= reach * reach) continue;
+      if (dot(to_chord, to_chord) >= reach * reach || is_counted(at, place(other_piece, start), on_second)) continue;
       add_sample({.at = at, .other = place(other_piece, start), .length = size / n, .on_second = on_second},
                  samples_on);
     }
@@ -261,10 +262,8 @@ class Look {
       known->share = sample.share;
       return;
     }
-    const YarnPlace first = sample.on_second ? sample.other : sample.at;
-    const YarnPlace second = sample.on_second ? sample.at : sample.other;
-    if (sample.share <= 0 || is_counted(first, second)) return;
-    sample.stick = memory_near(first, second);
+    if (sample.share <= 0 || is_counted(sample.at, sample.other, sample.on_second)) return;
+    sample.now.stick = sample.on_second ? memory_near(sample.other, sample.at) : memory_near(sample.at, sample.other);
     contacts_.samples.push_back(sample);
     samples_on.add(sample.at.element);
   }
@@ -280,9 +279,10 @@ class Look {
       least = std::max(along_.distance(a, first), along_.distance(b, second));
       memory = stick;
     };
-    for (const Crossing& crossing : before_.crossings) consider(crossing.first, crossing.second, crossing.stick);
+    for (const Crossing& crossing : before_.crossings) consider(crossing.first, crossing.second, crossing.now.stick);
     for (const Sample& sample : before_.samples) {
-      consider(sample.on_second ? sample.other : sample.at, sample.on_second ? sample.at : sample.other, sample.stick);
+      consider(sample.on_second ? sample.other : sample.at, sample.on_second ? sample.at : sample.other,
+               sample.now.stick);
     }
     memory.normal = {};
     return memory;
@@ -298,7 +298,7 @@ class Look {
   std::vector<ElementPair> touching_;
 };
 
-/// Drops what has come apart, and crossings that have run into each other.
+/// Drops what has come apart, crossings that have run into each other, and those that samples count.
 void drop(const YarnElements& elements, FollowedContacts& contacts) {
   const AlongYarns along(elements);
   ByElement kept_on(elements.n_nodes());
@@ -306,7 +306,7 @@ void drop(const YarnElements& elements, FollowedContacts& contacts) {
   for (const Crossing& crossing : contacts.crossings) {
     const double radii = along.radii(crossing.first, crossing.second);
     const double together = 0.1 * kSamePlace * radii;
-    bool stays = crossing.is_minimum && crossing.gap < 2 * kFollowed * radii;
+    bool stays = crossing.is_short && crossing.is_minimum && crossing.gap < 2 * kFollowed * radii;
     kept_on.around(crossing.first.element, 1, [&](std::size_t i) {
       stays = stays && !(along.near(kept[i].first, crossing.first, together) &&
                          along.near(kept[i].second, crossing.second, together));

@@ -24,9 +24,9 @@ struct RavelEvent {
 
 /// Where the tail of a yarn is near a place of another yarn, or of its own.
 struct TailApproach {
-  std::size_t tail;       ///< number of the tail
-  std::size_t other;      ///< number of the other yarn, by its range of nodes
-  double arc_length;      ///< of the place on the other yarn [mm]
+  std::size_t tail = 0;   ///< number of the tail
+  std::size_t other = 0;  ///< number of the other yarn, by its range of nodes
+  double arc_length = 0;  ///< of the place on the other yarn [mm]
   double distance = 0;    ///< of the centrelines there [mm]
   double sticks_out = 0;  ///< length of the tail beyond the place [mm]; 0: its end is nearest
   double integral = 0;    ///< Gauss integral of the two windows [-]
@@ -64,7 +64,7 @@ class RavelWatch {
   };
   struct HeldCrossing {
     TailApproach now;
-    double largest_integral;  ///< with its sign [-]
+    double largest_integral = 0;  ///< with its sign [-]
   };
 
   void add_tail(std::size_t range, YarnEnd end, double length);

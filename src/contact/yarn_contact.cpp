@@ -38,6 +38,7 @@ void YarnContact::search(const model::State& state) {
 void YarnContact::check_crossings() {
   const CrossingReport report = crossing_watch_.update(centreline_.piece_positions(pieces_), watch_.pairs());
   ++crossing_checks_;
+  checked_at_ = motion_.largest();
   ravelled_.insert(ravelled_.end(), report.ravelled.begin(), report.ravelled.end());
   if (report.lost.empty() || lost_) return;
   const CrossingLoss& loss = report.lost.front();
@@ -60,10 +61,13 @@ void YarnContact::add_forces(const model::State& state, double step, model::Noda
   motion_.add(centreline_.moved(), stretch * (2 * pieces_.largest_radius + skin_));
   const bool search_is_due = searches_ == 0 || motion_.largest() >= 0.5 * skin_;
   if (search_is_due) search(state);
+  if (motion_.largest() - checked_at_ >= kCheckCrossings * 2 * pieces_.largest_radius) check_crossings();
   if (search_is_due || motion_.since_look() >= kLookTogether * pieces_.largest_radius) look();
   if (centreline_.is_smooth()) {
-    friction_loss_ +=
-        add_smooth_forces(elements_, centreline_, law_, motion_, state, step, followed_, loads, points_, lost_);
+    const ContactStep done =
+        add_smooth_forces(elements_, centreline_, law_, motion_, state, step, followed_, loads, lost_);
+    friction_loss_ += done.friction_loss;
+    largest_penetration_ = done.largest_penetration;
   } else {
     find_on_chords(state, step, loads);
   }
@@ -73,7 +77,7 @@ void YarnContact::find_on_chords(const model::State& state, double step, model::
   std::swap(chords_, chords_before_);
   find_chord_contacts(elements_, near_, centreline_.node_position(), law_.stiffness, chords_);
   recall(chords_before_, chords_);
-  points_.clear();
+  largest_penetration_ = 0;
   for (ChordContact& contact : chords_) {
     ContactPoint& point = contact.point;
     if (dot(point.stick.normal, point.normal) < 0 && !lost_) {
@@ -90,20 +94,21 @@ void YarnContact::find_on_chords(const model::State& state, double step, model::
     const Vector3 force = point.load * point.normal + stick.force;
     centreline_.spread(point.second, force, loads);
     centreline_.spread(point.first, -1.0 * force, loads);
-    points_.push_back(point);
+    largest_penetration_ = std::max(largest_penetration_, point.penetration);
   }
 }
 
 double YarnContact::energy() const {
   double energy = 0;
-  for (const ContactPoint& point : points_) energy += point.energy + point.stick_energy();
+  for (const ContactPoint& point : points()) energy += point.energy + point.stick_energy();
   return energy;
 }
 
-double YarnContact::largest_penetration() const {
-  double largest = 0;
-  for (const ContactPoint& point : points_) largest = std::max(largest, point.penetration);
-  return largest;
+std::vector<ContactPoint> YarnContact::points() const {
+  if (centreline_.is_smooth()) return contact_points(followed_);
+  std::vector<ContactPoint> points;
+  for (const ChordContact& contact : chords_) points.push_back(contact.point);
+  return points;
 }
 
 double YarnContact::highest_frequency_squared(const std::vector<double>& mass,
@@ -111,7 +116,7 @@ double YarnContact::highest_frequency_squared(const std::vector<double>& mass,
   const std::size_t n = mass.size();
   std::vector<double> row(2 * n, 0.0);  // of the displacements, then of the rotations
   double highest = 0;
-  for (const ContactPoint& point : points_) {
+  for (const ContactPoint& point : points()) {
     struct Entry {
       std::size_t at;
       double size;  // share of the place that this displacement or rotation makes up, over the root of its inertia

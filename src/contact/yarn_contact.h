@@ -32,11 +32,11 @@ class YarnContact {
   [[nodiscard]] double energy() const;
   /// Dissipated since the start [mJ].
   [[nodiscard]] double friction_loss() const { return friction_loss_; }
-  [[nodiscard]] int n_contacts() const { return static_cast<int>(points_.size()); }
   /// At the last call of add_forces [mm].
-  [[nodiscard]] double largest_penetration() const;
-  /// Contacts of the last call of add_forces.
-  [[nodiscard]] const std::vector<ContactPoint>& points() const { return points_; }
+  [[nodiscard]] double largest_penetration() const { return largest_penetration_; }
+  /// Contacts that carry a force, at the last call of add_forces.
+  [[nodiscard]] std::vector<ContactPoint> points() const;
+  [[nodiscard]] int n_contacts() const { return static_cast<int>(points().size()); }
   /// Upper bound of the square of the highest frequency that the contacts alone give the nodes [1/s^2]: the largest row
   /// sum of their stiffness, scaled with the inertia of the nodes (Gershgorin).
   [[nodiscard]] double highest_frequency_squared(const std::vector<double>& mass,
@@ -69,11 +69,12 @@ class YarnContact {
   FollowedContacts followed_;
   std::vector<ElementPair> near_;  ///< chords
   std::vector<ChordContact> chords_, chords_before_;
-  std::vector<ContactPoint> points_;
   double friction_loss_ = 0;
+  double largest_penetration_ = 0;  ///< [mm]
   std::optional<LostCrossing> lost_;
   CrossingWatch crossing_watch_;
   std::vector<RavelEvent> ravelled_;
+  double checked_at_ = 0;  ///< motion since the last search [mm]
   long searches_ = 0, crossing_checks_ = 0;
 };
 

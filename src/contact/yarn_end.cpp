@@ -9,8 +9,9 @@ namespace knitmech::contact {
 
 namespace {
 
-/// Least curvature that counts as one, in units of one over the sum of the radii [-]: flatter gaps are as flat.
-constexpr double kFlat = 1e-6;
+/// Least curvature of a gap [over the sum of the radii]: yarns whose gap is flatter lie side by side, which is for the
+/// samples to count, and would seem to overlap far beyond the place that is looked at.
+constexpr double kFlat = 0.1;
 
 /// Resultant at two places a step beside the closest ones.
 CutLoad resultant(const YarnElements& elements, const Centreline& line, YarnPlace first, YarnPlace second,
@@ -34,7 +35,7 @@ CutLoad crossing_at_end(const YarnElements& elements, const Centreline& line, co
                         const PairSize& size) {
   const double distance = length(closest.at.between);
   const Hessian& m = closest.hessian;
-  const double tt = m.tt > 0 ? m.tt : dot(closest.at.second.slope, closest.at.second.slope);
+  const double tt = std::max(m.tt, kFlat * dot(closest.at.second.slope, closest.at.second.slope));
   const double falls = -closest.slope_first / distance;
   const double along = (m.ss - falls * falls) / distance;
   const double a = size.first_length;
@@ -52,7 +53,7 @@ CutLoad crossing_at_end(const YarnElements& elements, const Centreline& line, co
 }
 
 CutLoad sample_at_end(const YarnElements& elements, const Centreline& line, const Followed& nearest,
-                      const PairSize& size, double sample_length, double share) {
+                      const PairSize& size, double weight) {
   const double distance = length(nearest.at.between);
   const double b = size.second_length;
   const double rises = nearest.slope_second / distance;
@@ -65,7 +66,7 @@ CutLoad sample_at_end(const YarnElements& elements, const Centreline& line, cons
                          normal_energy(depth, size.radii)};
       });
   return resultant(elements, line, nearest.first, {nearest.second.element, nearest.second.share + overlap.centre / b},
-                   overlap, share * size.density * sample_length);
+                   overlap, size.density * weight);
 }
 
 }  // namespace knitmech::contact

@@ -7,8 +7,8 @@ namespace knitmech::contact {
 
 /// An overlap that an end of a yarn cuts short: its resultant, and the places where that acts.
 struct CutLoad {
-  YarnPlace first, second;
-  Vector3 normal;      ///< unit vector, first to second
+  YarnPlace first{}, second{};
+  Vector3 normal{};    ///< unit vector, first to second
   double load = 0;     ///< [N]
   double tangent = 0;  ///< [N/mm]
   double energy = 0;   ///< [mJ]
@@ -49,9 +49,9 @@ KNITMECH_INLINE bool end_cuts_second(const YarnElements& elements, const Followe
                                       const PairSize& size);
 
 /// A sample of the first yarn at an end of the second: the normal law, integrated along the second as far as it goes.
-/// \param length of the sample [mm]
+/// \param weight length of the sample [mm], times its share
 [[nodiscard]] CutLoad sample_at_end(const YarnElements& elements, const Centreline& line, const Followed& nearest,
-                                    const PairSize& size, double length, double share);
+                                    const PairSize& size, double weight);
 
 /// The same places seen from the other yarn.
 [[nodiscard]] inline Followed swapped(const Followed& here) {

@@ -139,8 +139,9 @@ model::HistoryRow ExplicitSolver::history() {
   row.damping_loss = beam::damping_loss(work_) + mass_damping_loss_;
   row.width = width();
   contact_.check_crossings();
-  row.contacts = contact_.n_contacts();
-  for (const contact::ContactPoint& point : contact_.points()) {
+  const std::vector<contact::ContactPoint> points = contact_.points();
+  row.contacts = static_cast<int>(points.size());
+  for (const contact::ContactPoint& point : points) {
     row.normal_force += point.load;
     row.largest_elastic_slip = std::max(row.largest_elastic_slip, length(point.stick.elastic_slip));
   }

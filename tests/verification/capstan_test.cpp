@@ -107,10 +107,7 @@ TEST_P(Capstan, GivenAYarnPulledAroundADrum_ThenItsTensionGrowsAsEulerAndEytelwe
                     .source = "e^(mu phi)",
                     .reference = std::exp(friction * turning),
                     .computed = tension_ratio(friction, turning, GetParam()),
-                    .tolerance = test::allowed(GetParam(), 0.01, 0.3),
-                    .remark = GetParam() == model::Centreline::smooth
-                                  ? "overlaps that run all around a thick drum flicker, and the stick is lost with them"
-                                  : ""});
+                    .tolerance = 0.01});
     }
   }
 }

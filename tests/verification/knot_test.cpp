@@ -21,6 +21,8 @@ using std::numbers::pi;
 
 // The yarn has the radius h = 1 mm, the bending stiffness B = 1 N mm^2 and the mass of 1 t/mm; only ratios matter.
 
+constexpr double kStepShare = 0.25;  // of the stable step of the beams: the drawn strands press hard at first
+
 /// A knot of looseness e = sqrt(h / R), the radius R of its loop being the shortening of the yarn over 2 pi.
 struct Knot {
   double looseness;  ///< e [-]
@@ -104,7 +106,7 @@ Tied tie(const Knot& knot, double friction, model::Centreline centreline) {
   for (const double s : nodes) straight.places.push_back({{s, 0, 0}, Eigen::Vector3d::UnitX()});
   straight.arc_length = nodes;
   test::add_yarn(model, straight);
-  Tied tied{test::ContactBench(model), length};
+  Tied tied{test::ContactBench(model, kStepShare), length};
   test::bend_to(tied.bench.model, 0, test::resample(line, nodes), tied.bench.state);
   return tied;
 }
@@ -183,7 +185,7 @@ TEST_P(OverhandKnot, GivenEverLooserKnotsWithoutFriction_ThenPullAndPressureTend
                 .source = "1/2",
                 .reference = 0.5,
                 .computed = at_zero(knots, &Measured::pull),
-                .tolerance = test::allowed(GetParam(), 0.1, 0.06),
+                .tolerance = test::allowed(GetParam(), 0.1, 0.05),
                 .remark = "parabola through the rows above"});
   test::verify({.chapter = "knot",
                 .of = here("extrapolated to e = 0"),
@@ -191,8 +193,8 @@ TEST_P(OverhandKnot, GivenEverLooserKnotsWithoutFriction_ThenPullAndPressureTend
                 .source = "0.492",
                 .reference = 0.492,
                 .computed = at_zero(knots, &Measured::pressure),
-                .tolerance = test::allowed(GetParam(), 0.15, 0.09),
-                .remark = "parabola through the same knots"});
+                .tolerance = test::allowed(GetParam(), 0.15, 0.12),
+                .remark = "parabola through the same knots, whose pressure bends the more the looser they are"});
 }
 
 TEST_P(OverhandKnot, GivenAKnotThatIsPulledTight_ThenFrictionAddsMuTimesThePressure) {
@@ -223,7 +225,7 @@ TEST_P(OverhandKnot, GivenAKnotThatIsPulledTight_ThenFrictionAddsMuTimesThePress
                 .source = "work of friction",
                 .reference = 1,
                 .computed = (pull - without) / (kFriction * pressure),
-                .tolerance = 0.1});
+                .tolerance = 0.05});
 }
 
 }  // namespace

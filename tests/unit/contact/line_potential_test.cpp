@@ -76,7 +76,7 @@ Found sample_of(const CurvePair& pair, double s) {
   found.is_crossing = found.at.is_minimum && distance < kRadii && std::abs(found.at.t - 0.5) < 0.45;
   if (!found.is_crossing) return found;
   const Places at = places(pair, s, found.at.t);
-  found.load = sample_load(at, hessian(at), distance, kSize, kSampledLength, 1.0);
+  found.load = sample_load(at, hessian(at), distance, kSize, kSampledLength);
   return found;
 }
 
