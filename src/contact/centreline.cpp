@@ -57,6 +57,20 @@ struct NodeArrays {
   double* __restrict moved;
 };
 
+/// Takes over positions. \param shift, stretch displacement along y that is not counted: shift [mm] + stretch [-] y
+KNITMECH_VECTORISE void move_chords(const NodeArrays a, double shift, double stretch, std::size_t n) {
+#pragma GCC ivdep
+  for (std::size_t i = 0; i < n; ++i) {
+    const double dx = a.x[i] - a.x0[i];
+    const double dy = a.y[i] - a.y0[i] - shift - stretch * a.y[i];
+    const double dz = a.z[i] - a.z0[i];
+    a.moved[i] = std::sqrt(dx * dx + dy * dy + dz * dz);
+    a.x0[i] = a.x[i];
+    a.y0[i] = a.y[i];
+    a.z0[i] = a.z[i];
+  }
+}
+
 /// Takes over positions and rotations. \param reach what a node moves besides, per change of its quaternion [mm]
 /// \param shift, stretch displacement along y that is not counted: shift [mm] + stretch [-] y
 KNITMECH_VECTORISE void move_nodes(const NodeArrays a, double reach, double shift, double stretch, std::size_t n) {
@@ -115,11 +129,26 @@ void Centreline::update(const model::State& state, CommonMotion common, double s
   const model::VectorArray& x = state.position;
   const model::RotationArray& q = state.rotation;
   const std::size_t n = x.size();
-  move_nodes({x.x.data(), x.y.data(), x.z.data(), q.w.data(), q.x.data(), q.y.data(), q.z.data(),
-              node_position_.x.data(), node_position_.y.data(), node_position_.z.data(), rotation_.w.data(),
-              rotation_.x.data(), rotation_.y.data(), rotation_.z.data(), moved_.data()},
-             2 * reach_of_turn_, common.start * step, common.rate * step, n);
-  if (!smooth_) return;
+  const NodeArrays nodes{x.x.data(),
+                         x.y.data(),
+                         x.z.data(),
+                         q.w.data(),
+                         q.x.data(),
+                         q.y.data(),
+                         q.z.data(),
+                         node_position_.x.data(),
+                         node_position_.y.data(),
+                         node_position_.z.data(),
+                         rotation_.w.data(),
+                         rotation_.x.data(),
+                         rotation_.y.data(),
+                         rotation_.z.data(),
+                         moved_.data()};
+  if (!smooth_) {
+    move_chords(nodes, common.start * step, common.rate * step, n);
+    return;
+  }
+  move_nodes(nodes, 2 * reach_of_turn_, common.start * step, common.rate * step, n);
   turn_all(q, turning(stress_free_tangent_, tangent_), turning(stress_free_bow_after_, bow_after_),
            turning(stress_free_bow_before_, bow_before_), n);
 }

@@ -38,7 +38,7 @@ struct Approach {
   Vector3 between;  ///< from the first to the second [mm]
 };
 
-Approach approach(const model::VectorArray& position, std::size_t i, std::size_t j) {
+KNITMECH_INLINE Approach approach(const model::VectorArray& position, std::size_t i, std::size_t j) {
   const Vector3 start_first = position.at(i);
   const Vector3 start_second = position.at(j);
   const Vector3 along_first = position.at(i + 1) - start_first;
@@ -50,7 +50,7 @@ Approach approach(const model::VectorArray& position, std::size_t i, std::size_t
 }  // namespace
 
 void look_at_chords(const ContactElements& elements, const model::VectorArray& position, const Motion& motion,
-                    PairWatch& watch, std::vector<ElementPair>& near) {
+                    PairWatch& watch, std::vector<NearChords>& near) {
   near.clear();
   watch.look_at_all(elements, motion, [&](ElementPair pair) {
     const auto i = static_cast<std::size_t>(pair.first);
@@ -58,21 +58,27 @@ void look_at_chords(const ContactElements& elements, const model::VectorArray& p
     const double radii = elements.radius[i] + elements.radius[j];
     const double gap = length(approach(position, i, j).between) - radii;
     if (gap > kFollowed * radii) return gap - kFollowed * radii;
-    near.push_back(pair);
+    near.push_back({pair});
     return 0.0;
   });
 }
 
-void find_chord_contacts(const YarnElements& elements, const std::vector<ElementPair>& near,
-                         const model::VectorArray& position, double stiffness, std::vector<ChordContact>& found) {
+void find_chord_contacts(const YarnElements& elements, const Motion& motion, const model::VectorArray& position,
+                         double stiffness, std::vector<NearChords>& near, std::vector<ChordContact>& found) {
   found.clear();
-  for (const ElementPair pair : near) {
+  for (NearChords& chords : near) {
+    const ElementPair pair = chords.pair;
     const auto i = static_cast<std::size_t>(pair.first);
     const auto j = static_cast<std::size_t>(pair.second);
+    const double moved = motion.of(i) + motion.of(j);
+    if (moved < chords.wake) continue;
     const Approach at = approach(position, i, j);
     const double radii = elements.radius[i] + elements.radius[j];
     const double distance = length(at.between);
-    if (distance >= radii) continue;
+    if (distance >= radii) {
+      chords.wake = moved + distance - radii;
+      continue;
+    }
     const double penetration = radii - distance;
     found.push_back({chord_key(pair.first, pair.second),
                      {.first = {pair.first, at.places.s},

@@ -10,6 +10,23 @@
 
 namespace knitmech::contact {
 
+namespace {
+
+/// Velocity of the material at a place of a chord [mm/s].
+Vector3 chord_velocity(const model::State& state, YarnPlace place) {
+  const auto i = static_cast<std::size_t>(place.element);
+  return (1 - place.share) * state.velocity.at(i) + place.share * state.velocity.at(i + 1);
+}
+
+/// Gives a force at a place of a chord to its nodes.
+void spread_on_chord(YarnPlace place, Vector3 force, model::NodalLoads& loads) {
+  const auto i = static_cast<std::size_t>(place.element);
+  loads.force.add(i, (1 - place.share) * force);
+  loads.force.add(i + 1, place.share * force);
+}
+
+}  // namespace
+
 YarnContact::YarnContact(const model::Model& model)
     : elements_(make_yarn_elements(model)),
       pieces_(make_contact_elements(model)),
@@ -75,7 +92,7 @@ void YarnContact::add_forces(const model::State& state, double step, model::Noda
 
 void YarnContact::find_on_chords(const model::State& state, double step, model::NodalLoads& loads) {
   std::swap(chords_, chords_before_);
-  find_chord_contacts(elements_, near_, centreline_.node_position(), law_.stiffness, chords_);
+  find_chord_contacts(elements_, motion_, centreline_.node_position(), law_.stiffness, near_, chords_);
   recall(chords_before_, chords_);
   largest_penetration_ = 0;
   for (ChordContact& contact : chords_) {
@@ -84,16 +101,15 @@ void YarnContact::find_on_chords(const model::State& state, double step, model::
       lost_ = LostCrossing{point.first.element, point.second.element,
                            centreline_.node_position().at(static_cast<std::size_t>(point.first.element))};
     }
-    const Vector3 motion =
-        step * (centreline_.velocity(state, point.second) - centreline_.velocity(state, point.first));
+    const Vector3 motion = step * (chord_velocity(state, point.second) - chord_velocity(state, point.first));
     const double friction = law_.friction.between(elements_.section[static_cast<std::size_t>(point.first.element)],
                                                   elements_.section[static_cast<std::size_t>(point.second.element)]);
     const FrictionStep stick =
         friction_step(point.stick, point.normal, motion, friction * point.load, point.stick_stiffness);
     friction_loss_ += stick.loss;
     const Vector3 force = point.load * point.normal + stick.force;
-    centreline_.spread(point.second, force, loads);
-    centreline_.spread(point.first, -1.0 * force, loads);
+    spread_on_chord(point.second, force, loads);
+    spread_on_chord(point.first, -1.0 * force, loads);
     largest_penetration_ = std::max(largest_penetration_, point.penetration);
   }
 }

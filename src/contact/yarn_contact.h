@@ -67,7 +67,7 @@ class YarnContact {
   Motion motion_;
   PairWatch watch_;
   FollowedContacts followed_;
-  std::vector<ElementPair> near_;  ///< chords
+  std::vector<NearChords> near_;
   std::vector<ChordContact> chords_, chords_before_;
   double friction_loss_ = 0;
   double largest_penetration_ = 0;  ///< [mm]
