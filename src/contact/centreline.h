@@ -1,20 +1,12 @@
 #pragma once
 
 #include "contact/contact_elements.h"
-#include "contact/curve.h"
-#include "contact/line_potential.h"
+#include "contact/element_line.h"
 #include "contact/motion.h"
 #include "contact/yarn_elements.h"
 #include "model/state.h"
 
 namespace knitmech::contact {
-
-/// How a place hangs on the two nodes of its element: it moves by start dx_a + end dx_b, and where the nodes turn by
-/// small rotations w_a and w_b, by w_a x start_arm + w_b x end_arm besides.
-struct Hold {
-  double start, end;
-  Vector3 start_arm, end_arm;  ///< [mm], zero on chords
-};
 
 /// The line that the contact sees of every yarn: the straight chords of the elements, or the smooth curve through the
 /// nodes.
@@ -43,42 +35,25 @@ class Centreline {
   /// Of the contact nodes [mm]; the nodes themselves on chords.
   [[nodiscard]] model::VectorArray piece_positions(const ContactElements& pieces) const;
 
-  /// The smooth curve of an element.
-  [[nodiscard]] KNITMECH_INLINE Curve curve(std::size_t element) const {
-    const double size = length_[element];
-    return {node_position_.at(element), node_position_.at(element + 1), size * tangent_.at(element),
-            size * tangent_.at(element + 1), bow_after_.at(element) + bow_before_.at(element + 1)};
+  /// An element of the smooth line.
+  [[nodiscard]] KNITMECH_INLINE ElementLine element(std::size_t i) const {
+    return {length_[i],         node_position_.at(i), node_position_.at(i + 1), tangent_.at(i),
+            tangent_.at(i + 1), bow_after_.at(i),     bow_before_.at(i + 1)};
   }
+  [[nodiscard]] KNITMECH_INLINE Curve curve(std::size_t i) const { return element(i).curve(); }
   /// The curve of a piece of an element; its straight chord on chords.
   [[nodiscard]] Curve piece_curve(const ContactElements& pieces, std::int32_t piece) const;
 
-  /// Where a node is, its tangent, and the halves of the bows beside it, turned with it.
-  [[nodiscard]] KNITMECH_INLINE Vector3 tangent(std::size_t node) const { return tangent_.at(node); }
-  [[nodiscard]] KNITMECH_INLINE Vector3 bow_after(std::size_t node) const { return bow_after_.at(node); }
-  [[nodiscard]] KNITMECH_INLINE Vector3 bow_before(std::size_t node) const { return bow_before_.at(node); }
-  [[nodiscard]] KNITMECH_INLINE double length(std::size_t element) const { return length_[element]; }
-
-  /// \param weights hermite() at a place, or one of its derivatives   @pre the line is smooth
-  [[nodiscard]] KNITMECH_INLINE Hold hold(std::size_t element, HermiteWeights weights) const {
-    const double size = length_[element];
-    return {weights.start, weights.end,
-            (size * weights.start_slope) * tangent_.at(element) + weights.bow * bow_after_.at(element),
-            (size * weights.end_slope) * tangent_.at(element + 1) + weights.bow * bow_before_.at(element + 1)};
-  }
   [[nodiscard]] KNITMECH_INLINE Hold hold(YarnPlace place) const {
-    const auto element = static_cast<std::size_t>(place.element);
     if (!smooth_) return {1 - place.share, place.share, {0, 0, 0}, {0, 0, 0}};
-    return hold(element, hermite(place.share));
+    return element(static_cast<std::size_t>(place.element)).hold(hermite(place.share));
   }
 
   /// Velocity of the material at a place [mm/s].
   [[nodiscard]] KNITMECH_INLINE Vector3 velocity(const model::State& state, YarnPlace place) const {
     const auto i = static_cast<std::size_t>(place.element);
-    const Hold by = hold(place);
-    const Vector3 moving = by.start * state.velocity.at(i) + by.end * state.velocity.at(i + 1);
-    if (!smooth_) return moving;
-    return moving + cross(state.angular_velocity.at(i), by.start_arm) +
-           cross(state.angular_velocity.at(i + 1), by.end_arm);
+    return velocity_of(hold(place), state.velocity.at(i), state.velocity.at(i + 1), state.angular_velocity.at(i),
+                       state.angular_velocity.at(i + 1));
   }
 
   /// Gives a force at a place to the nodes: with the weights that make up the place from the nodes, so that force and
@@ -88,7 +63,6 @@ class Centreline {
     const Hold by = hold(place);
     loads.force.add(i, by.start * force);
     loads.force.add(i + 1, by.end * force);
-    if (!smooth_) return;
     loads.moment.add(i, cross(by.start_arm, force));
     loads.moment.add(i + 1, cross(by.end_arm, force));
   }
@@ -96,19 +70,11 @@ class Centreline {
   /// The same for a load on the smooth curve with its slope and bend.
   KNITMECH_INLINE void spread(YarnPlace place, const CurveLoad& load, model::NodalLoads& loads) const {
     const auto i = static_cast<std::size_t>(place.element);
-    const HermiteWeights value = hermite(place.share);
-    const HermiteWeights slope = hermite_slope(place.share);
-    const HermiteWeights bend = hermite_bend(place.share);
-    // The weights of the two positions add up to one, and so those of their derivatives to zero.
-    const Vector3 on_end = value.end * load.force + slope.end * load.slope + bend.end * load.bend;
-    loads.force.add(i, load.force - on_end);
-    loads.force.add(i + 1, on_end);
-    const Vector3 on_bow = value.bow * load.force + slope.bow * load.slope + bend.bow * load.bend;
-    const Vector3 turns_start =
-        value.start_slope * load.force + slope.start_slope * load.slope + bend.start_slope * load.bend;
-    const Vector3 turns_end = value.end_slope * load.force + slope.end_slope * load.slope + bend.end_slope * load.bend;
-    loads.moment.add(i, length_[i] * cross(tangent_.at(i), turns_start) + cross(bow_after_.at(i), on_bow));
-    loads.moment.add(i + 1, length_[i] * cross(tangent_.at(i + 1), turns_end) + cross(bow_before_.at(i + 1), on_bow));
+    const EndLoads ends = element(i).to_nodes(place.share, load);
+    loads.force.add(i, ends.start_force);
+    loads.force.add(i + 1, ends.end_force);
+    loads.moment.add(i, ends.start_moment);
+    loads.moment.add(i + 1, ends.end_moment);
   }
 
  private:

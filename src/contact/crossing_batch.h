@@ -3,7 +3,7 @@
 #include <array>
 #include <cstddef>
 
-#include "contact/curve.h"
+#include "contact/element_line.h"
 
 namespace knitmech::contact {
 
@@ -36,6 +36,21 @@ struct LaneSides {
   LaneVectors start_force{}, end_force{};        ///< out [N]
   LaneVectors start_moment{}, end_moment{};      ///< out [N mm]
 };
+
+/// Puts an element into a lane, and takes it out.
+KNITMECH_INLINE void set_element(LaneSides& side, std::size_t lane, const ElementLine& line) {
+  side.start.set(lane, line.start);
+  side.end.set(lane, line.end);
+  side.start_tangent.set(lane, line.start_tangent);
+  side.end_tangent.set(lane, line.end_tangent);
+  side.start_bow.set(lane, line.start_bow);
+  side.end_bow.set(lane, line.end_bow);
+  side.length[lane] = line.length;
+}
+KNITMECH_INLINE ElementLine element(const LaneSides& side, std::size_t lane) {
+  return {side.length[lane],         side.start.at(lane),     side.end.at(lane),    side.start_tangent.at(lane),
+          side.end_tangent.at(lane), side.start_bow.at(lane), side.end_bow.at(lane)};
+}
 
 /// Up to kLanes contacts: what goes into a step of theirs, and what comes out of it.
 struct ContactBatch {

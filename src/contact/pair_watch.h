@@ -1,6 +1,6 @@
 #pragma once
 
-#include <limits>
+#include <utility>
 #include <vector>
 
 #include "contact/contact_elements.h"

@@ -109,15 +109,6 @@ double add_pair(const Step& step, PairLoad& pair, YarnPlace first, YarnPlace sec
   return friction.loss;
 }
 
-/// Whether an overlap has become far too long for its parabola since the last look.
-bool is_too_long(const Followed& closest, double distance, const PairSize& size) {
-  const Hessian& m = closest.hessian;
-  const double a = size.first_length;
-  const double b = size.second_length;
-  const double longest = kLongestOverlap * size.radii;
-  return 2 * (size.radii - distance) * distance * (a * a * m.tt + b * b * m.ss) > longest * longest * m.determinant();
-}
-
 /// A crossing on its own, in any case that may come. \return friction loss [mJ]
 double add_crossing(const Step& step, Crossing& crossing) {
   const Followed here = follow_closest(step.elements, step.line, crossing.first, crossing.second);
@@ -134,13 +125,19 @@ double add_crossing(const Step& step, Crossing& crossing) {
     return 0;
   }
   const double stick = kStickStiffness * step.law.stiffness;
-  if (is_too_long(here, distance, size)) {  // samples take over at the next look
+  // Squares of the half lengths of the overlap, times the determinant.
+  const double determinant = here.hessian.determinant();
+  const double across = -2 * crossing.gap * distance;
+  const double along_first = across * size.first_length * size.first_length * here.hessian.tt;
+  const double along_second = across * size.second_length * size.second_length * here.hessian.ss;
+  const double longest = kLongestOverlap * size.radii;
+  if (along_first + along_second > longest * longest * determinant) {  // samples take over at the next look
     crossing.is_short = false;
     crossing.now = {};
     return 0;
   }
-  const bool cut_first = end_cuts_first(step.elements, here, distance, size);
-  if (cut_first || end_cuts_second(step.elements, here, distance, size)) {
+  const bool cut_first = end_is_within(step.elements, here.first, along_first, determinant);
+  if (cut_first || end_is_within(step.elements, here.second, along_second, determinant)) {
     const PairSize seen = cut_first ? size : PairSize{size.radii, size.density, size.second_length, size.first_length};
     const CutLoad cut = crossing_at_end(step.elements, step.line, cut_first ? here : swapped(here), seen);
     return add_cut(step, cut, !cut_first, -crossing.gap, stick, crossing.now);
@@ -165,10 +162,8 @@ double add_sample(const Step& step, Sample& sample) {
     return 0;
   }
   const double stick = kStickStiffness * step.law.stiffness * sample.share * sample.length / size.radii;
-  const ToEnds ends = to_ends(step.elements, here.second);
-  const double nearest = ends.back < ends.ahead ? ends.back : ends.ahead;
   const double across = -2 * sample.gap * distance * size.second_length * size.second_length;
-  if (nearest <= 0 || across > nearest * nearest * here.hessian.tt) {
+  if (end_is_within(step.elements, here.second, across, here.hessian.tt)) {
     const CutLoad cut = sample_at_end(step.elements, step.line, here, size, sample.length * sample.share);
     return add_cut(step, cut, sample.on_second, -sample.gap, stick, sample.now);
   }
@@ -186,20 +181,13 @@ double add_sample(const Step& step, Sample& sample) {
 /// Puts the element of a place into a lane. \return false if the place has left the element
 KNITMECH_INLINE bool gather(const Step& step, YarnPlace place, LaneSides& side, std::size_t lane) {
   const auto i = static_cast<std::size_t>(place.element);
-  side.start.set(lane, step.line.node_position().at(i));
-  side.end.set(lane, step.line.node_position().at(i + 1));
-  side.start_tangent.set(lane, step.line.tangent(i));
-  side.end_tangent.set(lane, step.line.tangent(i + 1));
-  side.start_bow.set(lane, step.line.bow_after(i));
-  side.end_bow.set(lane, step.line.bow_before(i + 1));
+  set_element(side, lane, step.line.element(i));
   side.start_velocity.set(lane, step.state.velocity.at(i));
   side.end_velocity.set(lane, step.state.velocity.at(i + 1));
   side.start_turning.set(lane, step.state.angular_velocity.at(i));
   side.end_turning.set(lane, step.state.angular_velocity.at(i + 1));
-  side.length[lane] = step.elements.length[i];
   side.share[lane] = place.share;
-  const ToEnds ends = to_ends(step.elements, place);
-  side.to_end[lane] = ends.back < ends.ahead ? ends.back : ends.ahead;
+  side.to_end[lane] = to_nearer_end(step.elements, place);
   return place.share >= 0 && place.share <= 1;
 }
 

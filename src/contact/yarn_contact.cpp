@@ -146,16 +146,11 @@ double YarnContact::highest_frequency_squared(const std::vector<double>& mass,
     };
     for (const YarnPlace place : {point.first, point.second}) {
       const auto i = static_cast<std::size_t>(place.element);
-      if (centreline_.is_smooth()) {
-        const HermiteWeights weights = hermite(place.share);
-        add(i, weights.start, mass[i]);
-        add(i + 1, weights.end, mass[i + 1]);
-        add(n + i, weights.start_slope * elements_.length[i], rotary[i]);
-        add(n + i + 1, weights.end_slope * elements_.length[i], rotary[i + 1]);
-      } else {
-        add(i, 1 - place.share, mass[i]);
-        add(i + 1, place.share, mass[i + 1]);
-      }
+      const Hold by = centreline_.hold(place);
+      add(i, by.start, mass[i]);
+      add(i + 1, by.end, mass[i + 1]);
+      add(n + i, length(by.start_arm), rotary[i]);
+      add(n + i + 1, length(by.end_arm), rotary[i + 1]);
     }
     const double stiffness = std::max(point.tangent, point.stick_stiffness);
     for (std::size_t k = 0; k < filled; ++k) {

@@ -24,23 +24,16 @@ KNITMECH_INLINE ToEnds to_ends(const YarnElements& elements, YarnPlace place) {
   return {elements.before[element] + along, elements.after[element] - along};
 }
 
-/// Whether an end of the first yarn lies within the overlap about the closest places.
-KNITMECH_INLINE bool end_cuts_first(const YarnElements& elements, const Followed& closest, double distance,
-                                    const PairSize& size) {
-  const ToEnds ends = to_ends(elements, closest.first);
-  const double nearest = ends.back < ends.ahead ? ends.back : ends.ahead;
-  const double across = 2 * (size.radii - distance) * distance * size.first_length * size.first_length;
-  const double reach = across * closest.hessian.tt;
-  return nearest <= 0 || reach > nearest * nearest * closest.hessian.determinant();
+/// Distance along the yarn from a place to its nearer end [mm]; not above 0 at the end itself.
+KNITMECH_INLINE double to_nearer_end(const YarnElements& elements, YarnPlace place) {
+  const ToEnds ends = to_ends(elements, place);
+  return ends.back < ends.ahead ? ends.back : ends.ahead;
 }
 
-KNITMECH_INLINE bool end_cuts_second(const YarnElements& elements, const Followed& closest, double distance,
-                                     const PairSize& size) {
-  const ToEnds ends = to_ends(elements, closest.second);
-  const double nearest = ends.back < ends.ahead ? ends.back : ends.ahead;
-  const double across = 2 * (size.radii - distance) * distance * size.second_length * size.second_length;
-  const double reach = across * closest.hessian.ss;
-  return nearest <= 0 || reach > nearest * nearest * closest.hessian.determinant();
+/// Whether an end of its yarn is nearer to a place than the root of squared / scale [mm].
+KNITMECH_INLINE bool end_is_within(const YarnElements& elements, YarnPlace place, double squared, double scale) {
+  const double distance = to_nearer_end(elements, place);
+  return distance <= 0 || squared > distance * distance * scale;
 }
 
 /// A crossing at an end of the first yarn: the strips across the second yarn (see sample_load()), integrated along the

@@ -101,6 +101,9 @@ Layout lay_out(const Chart& chart) {
       }
     }
   }
+  // Noise about zero, no thicker than a few lines, deserves no interval of its own below it.
+  constexpr double kNoise = 0.02;
+  if (y.lowest < 0 && -y.lowest < kNoise * y.highest) y.lowest = 0;
   Layout layout;
   layout.right = chart.width - 28.0;
   layout.top = chart.title.empty() ? 22.0 : 48.0;

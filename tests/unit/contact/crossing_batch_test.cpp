@@ -58,17 +58,11 @@ Plain plain(const Scene& scene, Kind kind) {
 
 void put_side(const Scene& scene, YarnPlace place, LaneSides& side, std::size_t lane) {
   const auto i = static_cast<std::size_t>(place.element);
-  side.start.set(lane, scene.line.node_position().at(i));
-  side.end.set(lane, scene.line.node_position().at(i + 1));
-  side.start_tangent.set(lane, scene.line.tangent(i));
-  side.end_tangent.set(lane, scene.line.tangent(i + 1));
-  side.start_bow.set(lane, scene.line.bow_after(i));
-  side.end_bow.set(lane, scene.line.bow_before(i + 1));
+  set_element(side, lane, scene.line.element(i));
   side.start_velocity.set(lane, scene.state.velocity.at(i));
   side.end_velocity.set(lane, scene.state.velocity.at(i + 1));
   side.start_turning.set(lane, scene.state.angular_velocity.at(i));
   side.end_turning.set(lane, scene.state.angular_velocity.at(i + 1));
-  side.length[lane] = scene.elements.length[i];
   side.share[lane] = place.share;
   const double arc = arc_of(scene.elements, place);
   side.to_end[lane] = std::min(arc, scene.elements.before[i] + scene.elements.after[i] - arc);

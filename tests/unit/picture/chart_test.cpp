@@ -105,6 +105,12 @@ TEST(Chart, PutsPointsInProportion) {
   EXPECT_LT(line[1].y, line[0].y) << "a larger value lies higher on the page";
 }
 
+TEST(Chart, BeginsAtZeroIfOnlyNoiseIsBelowIt) {
+  const auto with_least = [](double least) { return chart_svg({.series = {{"", {0, 1, 2}, {0, least, 8}}}}); };
+  EXPECT_THAT(with_least(-0.1), Not(HasSubstr(">-2<")));
+  EXPECT_THAT(with_least(-0.5), HasSubstr(">-2<"));
+}
+
 TEST(Chart, IsWellFormedWhateverTheTextSays) {
   Chart chart = wavy_chart();
   chart.title = "a < b & c > \"d\" \x01";
