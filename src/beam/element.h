@@ -41,7 +41,7 @@ struct ElementState {
   Matrix3 mid;       ///< R_m, from the mid frame to space
   Vector3 chord;     ///< rho = R_m^T (x_b - x_a) [mm]
   Vector3 relative;  ///< u sin(phi): vector part of the relative rotation
-  double cosine;     ///< cos(phi), phi half the relative angle, at most 90 deg
+  double cosine;     ///< cos(phi), phi half the relative angle
   HalfAngle half;
   double axial_strain;   ///< epsilon [-]
   Vector3 shear_strain;  ///< gamma, across e1 [-]
@@ -49,6 +49,9 @@ struct ElementState {
   Vector3 force;         ///< N [N]
   Vector3 moment;        ///< M [N mm]
 };
+
+/// Least cos(phi) that an element works with: at a relative rotation of 360 degrees it would have no mid frame.
+inline constexpr double kFullTurn = -0.9999;
 
 /// Geometrically exact shear-flexible beam (Simo and Reissner), linear interpolation, one integration point. With the
 /// chord in the mid frame, rho = R_m^T (x_b - x_a), and its part across the axis, rho_across = rho - (e1 . rho) e1:
@@ -65,18 +68,19 @@ struct ElementState {
 /// agree while shear is small. But with the textbook's, a chord under tension N that leans out of the mid frame gives
 /// energy back, so that the shear stiffness in effect is k G A' - N: with the shear stiffness reduced for slender
 /// elements, it would be gone at 2 % axial strain of the usual mesh, and nodes would turn away without resistance.
-/// Relative rotations of more than 180 degrees inside one element are taken the shorter way round.
+/// The quaternions of the nodes must have come from one continuous motion: then relative rotations of more than 180
+/// degrees inside one element, as in the hairpin of a soft yarn, go on beyond (up to 360) and do not flip over.
 KNITMECH_INLINE ElementState element_state(const ElementProperties& element, Vector3 chord_in_space, Quaternion a,
                                            Quaternion b) {
   ElementState state{};
   const double product = a.w * b.w + dot(a.v, b.v);
-  const double sign = product < 0 ? -1.0 : 1.0;
-  state.cosine = sign * product;
-  state.relative = sign * (a.w * b.v - b.w * a.v - cross(a.v, b.v));
-  state.half = half_angle(state.cosine < 1 ? state.cosine : 1.0);
+  const double capped = product < 1 ? product : 1.0;
+  state.cosine = capped > kFullTurn ? capped : kFullTurn;
+  state.relative = a.w * b.v - b.w * a.v - cross(a.v, b.v);
+  state.half = half_angle(state.cosine);
 
   const double to_unit = 0.5 / state.half.cos_half;  // |q_a + q_b| = 2 cos(phi / 2)
-  state.mid = matrix({to_unit * (a.w + sign * b.w), to_unit * (a.v + sign * b.v)});
+  state.mid = matrix({to_unit * (a.w + b.w), to_unit * (a.v + b.v)});
   state.chord = rotate_back(state.mid, chord_in_space);
   state.rotation = (2 * state.half.ratio) * state.relative;
 

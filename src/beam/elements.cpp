@@ -24,17 +24,17 @@ Elements inert_elements(std::size_t n) {
 
 }  // namespace
 
-double compensated_shear_stiffness(double section_shear, double axial, double bending, double length) {
-  return section_shear / (1 + kSlendernessCompensation * length * length * axial / (12 * bending));
+double compensated_shear_stiffness(const yarn::Section& section, double length) {
+  return section.shear_stiffness / (1 + kSlendernessCompensation * length * length * section.slenderness() / 12);
 }
 
 Elements make_elements(const model::Model& model, double mass_scaling, double bulk_viscosity) {
   Elements elements = inert_elements(model.nodes.size());
   for (const model::ModelYarn& yarn : model.yarns) {
-    const yarn::Section& section = model.sections[static_cast<std::size_t>(yarn.section)];
     const auto first = static_cast<std::size_t>(yarn.first_node);
     const auto last = first + static_cast<std::size_t>(yarn.n_nodes) - 1;
     for (std::size_t i = first; i < last; ++i) {
+      const yarn::Section& section = model.section_of(i);
       const Eigen::Vector3d chord = model.nodes[i + 1] - model.nodes[i];
       const double length = chord.norm();
       elements.axis_x[i] = chord.x() / length;
@@ -42,8 +42,7 @@ Elements make_elements(const model::Model& model, double mass_scaling, double bu
       elements.axis_z[i] = chord.z() / length;
       elements.inverse_length[i] = 1 / length;
       elements.axial[i] = section.axial_stiffness;
-      elements.shear[i] = compensated_shear_stiffness(section.shear_stiffness, section.axial_stiffness,
-                                                      section.bending_stiffness, length);
+      elements.shear[i] = compensated_shear_stiffness(section, length);
       elements.torsion[i] = section.torsional_stiffness;
       elements.bending[i] = section.bending_stiffness;
       elements.mass[i] = section.mass_per_length * length;

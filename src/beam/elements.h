@@ -29,9 +29,9 @@ struct Elements {
 ///     k G A' = k G A / (1 + 0.25 L0^2 A / (12 I)),
 ///
 /// as Abaqus does it for B31 (Abaqus Theory Guide, "Shear flexible small-strain beams", slenderness compensation
-/// factor). For a circle A / I = 16 / D^2; with stiffnesses given outright, EA / EI stands for it. \param section_shear
-/// k G A [N]   \param axial EA [N]   \param bending EI [N mm^2]   \param length L0 [mm]
-[[nodiscard]] double compensated_shear_stiffness(double section_shear, double axial, double bending, double length);
+/// factor). For a circle A / I = 16 / D^2; with stiffnesses given outright, Section::slenderness() stands for it.
+/// \param length L0 [mm]
+[[nodiscard]] double compensated_shear_stiffness(const yarn::Section& section, double length);
 
 /// Cuts the yarns of a model into elements.
 /// \param mass_scaling factor on all masses; enters the viscosity only, `mass` stays unscaled

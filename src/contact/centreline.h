@@ -49,6 +49,13 @@ class Centreline {
     return element(static_cast<std::size_t>(place.element)).hold(hermite(place.share));
   }
 
+  /// The point of the line at a place [mm].
+  [[nodiscard]] Vector3 point(YarnPlace place) const {
+    const auto i = static_cast<std::size_t>(place.element);
+    if (smooth_) return point_at(curve(i), place.share).position;
+    return (1 - place.share) * node_position_.at(i) + place.share * node_position_.at(i + 1);
+  }
+
   /// Velocity of the material at a place [mm/s].
   [[nodiscard]] KNITMECH_INLINE Vector3 velocity(const model::State& state, YarnPlace place) const {
     const auto i = static_cast<std::size_t>(place.element);

@@ -39,14 +39,14 @@ ContactElements make_contact_elements(const model::Model& model) {
   elements.arc_length.assign(n, 0.0);
   for (std::size_t y = 0; y < model.yarns.size(); ++y) {
     const model::ModelYarn& yarn = model.yarns[y];
-    const double radius = 0.5 * model.sections[static_cast<std::size_t>(yarn.section)].diameter;
-    elements.largest_radius = std::max(elements.largest_radius, radius);
     const auto first = static_cast<std::size_t>(yarn.first_node);
     const auto last = first + static_cast<std::size_t>(yarn.n_nodes) - 1;
     for (std::size_t p = m * first; p <= m * last; ++p) {
       const std::size_t i = std::min(p / m, last);
       const bool is_last = p == m * last;
       const double length = is_last ? 0 : (model.arc_length[i + 1] - model.arc_length[i]) / static_cast<double>(m);
+      const double radius = 0.5 * model.section_of(i).diameter;
+      elements.largest_radius = std::max(elements.largest_radius, radius);
       elements.yarn[p] = static_cast<std::int32_t>(y);
       elements.radius[p] = radius;
       elements.exists[p] = is_last ? 0 : 1;

@@ -1,11 +1,11 @@
 #include "contact/yarn_contact.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
 #include "contact/constants.h"
+#include "contact/frequency_bound.h"
 #include "contact/look_for_contacts.h"
 
 namespace knitmech::contact {
@@ -129,36 +129,12 @@ std::vector<ContactPoint> YarnContact::points() const {
 
 double YarnContact::highest_frequency_squared(const std::vector<double>& mass,
                                               const std::vector<double>& rotary) const {
-  const std::size_t n = mass.size();
-  std::vector<double> row(2 * n, 0.0);  // of the displacements, then of the rotations
-  double highest = 0;
+  FrequencyBound bound(mass, rotary);
   for (const ContactPoint& point : points()) {
-    struct Entry {
-      std::size_t at;
-      double size;  // share of the place that this displacement or rotation makes up, over the root of its inertia
-    };
-    std::array<Entry, 8> entries{};
-    std::size_t filled = 0;
-    double sum = 0;
-    const auto add = [&](std::size_t at, double weight, double inertia) {
-      entries[filled] = {at, std::abs(weight) / std::sqrt(inertia)};
-      sum += entries[filled++].size;
-    };
-    for (const YarnPlace place : {point.first, point.second}) {
-      const auto i = static_cast<std::size_t>(place.element);
-      const Hold by = centreline_.hold(place);
-      add(i, by.start, mass[i]);
-      add(i + 1, by.end, mass[i + 1]);
-      add(n + i, length(by.start_arm), rotary[i]);
-      add(n + i + 1, length(by.end_arm), rotary[i + 1]);
-    }
-    const double stiffness = std::max(point.tangent, point.stick_stiffness);
-    for (std::size_t k = 0; k < filled; ++k) {
-      row[entries[k].at] += stiffness * entries[k].size * sum;
-      highest = std::max(highest, row[entries[k].at]);
-    }
+    bound.add({point.first, centreline_.hold(point.first)}, {point.second, centreline_.hold(point.second)},
+              std::max(point.tangent, point.stick_stiffness));
   }
-  return highest;
+  return bound.highest();
 }
 
 }  // namespace knitmech::contact

@@ -37,10 +37,11 @@ class YarnContact {
   /// Contacts that carry a force, at the last call of add_forces.
   [[nodiscard]] std::vector<ContactPoint> points() const;
   [[nodiscard]] int n_contacts() const { return static_cast<int>(points().size()); }
-  /// Upper bound of the square of the highest frequency that the contacts alone give the nodes [1/s^2]: the largest row
-  /// sum of their stiffness, scaled with the inertia of the nodes (Gershgorin).
+  /// Upper bound of the square of the highest frequency that the contacts alone give the nodes, see FrequencyBound.
   [[nodiscard]] double highest_frequency_squared(const std::vector<double>& mass,
                                                  const std::vector<double>& rotary) const;
+  /// The line that the contact sees, as of the last call of add_forces.
+  [[nodiscard]] const Centreline& centreline() const { return centreline_; }
   [[nodiscard]] const std::optional<LostCrossing>& lost_crossing() const { return lost_; }
   /// Checks that no yarn has passed through another since the last check, apart from what the contact law sees
   /// (crossing_watch.h). Done besides whenever the neighbours are searched.

@@ -18,8 +18,8 @@ YarnElements make_yarn_elements(const model::Model& model) {
     const auto last = first + static_cast<std::size_t>(yarn.n_nodes) - 1;
     for (std::size_t i = first; i <= last; ++i) {
       elements.yarn[i] = static_cast<std::int32_t>(y);
-      elements.section[i] = yarn.section;
-      elements.radius[i] = 0.5 * model.sections[static_cast<std::size_t>(yarn.section)].diameter;
+      elements.section[i] = model.element_section[i];
+      elements.radius[i] = 0.5 * model.section_of(i).diameter;
       elements.exists[i] = i < last ? 1 : 0;
       elements.length[i] = i < last ? model.arc_length[i + 1] - model.arc_length[i] : 0;
       elements.before[i] = model.arc_length[i] - model.arc_length[first];

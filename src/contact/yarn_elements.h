@@ -12,9 +12,9 @@ namespace knitmech::contact {
 /// The yarns as contact sees them, element by element; one entry per node, as in model::Model.
 struct YarnElements {
   std::vector<std::int32_t> yarn;     ///< of the node
-  std::vector<std::int32_t> section;  ///< of the node, index into Model::sections: the kind of yarn
+  std::vector<std::int32_t> section;  ///< of the element, index into Model::sections: the kind of yarn
   std::vector<std::uint8_t> exists;   ///< 1 where an element starts
-  std::vector<double> radius;         ///< [mm]
+  std::vector<double> radius;         ///< of the element [mm]
   std::vector<double> length;         ///< [mm], of the element along the stress-free yarn
   std::vector<double> before;         ///< [mm], along the stress-free yarn from its first node to this one
   std::vector<double> after;          ///< [mm], from this node to the yarn's last
@@ -28,11 +28,7 @@ struct YarnElements {
 
 [[nodiscard]] YarnElements make_yarn_elements(const model::Model& model);
 
-/// A place on a yarn: a share of the way along an element.
-struct YarnPlace {
-  std::int32_t element;
-  double share;  ///< in [0, 1]
-};
+using YarnPlace = model::ElementPlace;
 
 /// Arc length along the stress-free yarn from its first node [mm].
 [[nodiscard]] inline double arc_of(const YarnElements& elements, YarnPlace place) {

@@ -54,14 +54,17 @@ void check_sections(const AbaqusDeck& deck, const std::string& source) {
   }
 }
 
-void check_boundary(const AbaqusDeck& deck, const AbaqusDeck::Boundary& boundary, const std::string& source) {
-  if (looks_like_number(boundary.nodes)) {
-    if (!deck.nodes.contains(integer(source, boundary.line, boundary.nodes))) {
-      fail_at(source, boundary.line, fmt::format("the node {} does not exist", boundary.nodes));
-    }
-  } else {
-    require(deck.node_sets, boundary.nodes, "the node set", source, boundary.line);
+/// \param nodes a node set, or the number of a node
+void require_nodes(const AbaqusDeck& deck, const std::string& nodes, const std::string& source, int line) {
+  if (!looks_like_number(nodes)) {
+    require(deck.node_sets, nodes, "the node set", source, line);
+  } else if (!deck.nodes.contains(integer(source, line, nodes))) {
+    fail_at(source, line, fmt::format("the node {} does not exist", nodes));
   }
+}
+
+void check_boundary(const AbaqusDeck& deck, const AbaqusDeck::Boundary& boundary, const std::string& source) {
+  require_nodes(deck, boundary.nodes, source, boundary.line);
   if (!boundary.amplitude.empty()) {
     require(deck.amplitudes, boundary.amplitude, "the amplitude", source, boundary.line);
   }
@@ -98,6 +101,11 @@ void check_references(const AbaqusDeck& deck, const std::string& source) {
   check_sets(deck.element_sets, deck.elements, "element", source);
   check_sections(deck, source);
   check_contact(deck, source);
+  for (const AbaqusDeck::Equation& equation : deck.equations) {
+    for (const AbaqusDeck::Equation::Term& term : equation.terms) {
+      require_nodes(deck, term.nodes, source, equation.line);
+    }
+  }
   for (const AbaqusDeck::Boundary& boundary : deck.boundaries) check_boundary(deck, boundary, source);
   for (const AbaqusDeck::Step& step : deck.steps) {
     for (const AbaqusDeck::Boundary& boundary : step.boundaries) check_boundary(deck, boundary, source);

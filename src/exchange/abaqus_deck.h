@@ -88,6 +88,17 @@ struct AbaqusDeck {
     int line = 0;
   };
 
+  /// sum of coefficient times displacement = 0
+  struct Equation {
+    struct Term {
+      std::string nodes;  ///< a node set, or the number of a node
+      int dof = 0;
+      double coefficient = 0;
+    };
+    std::vector<Term> terms;
+    int line = 0;
+  };
+
   struct OutputRequest {
     std::string kind;                            ///< NODEOUTPUT, ELEMENTOUTPUT, CONTACTOUTPUT, ENERGYOUTPUT
     bool history = false;                        ///< history or field
@@ -124,6 +135,7 @@ struct AbaqusDeck {
   std::map<std::string, Amplitude> amplitudes;
   std::map<std::string, Surface> surfaces;
   std::map<std::string, Interaction> interactions;
+  std::vector<Equation> equations;
   std::optional<Contact> contact;
   std::vector<Boundary> boundaries;  ///< model data, outside any step
   std::vector<Step> steps;

@@ -42,6 +42,8 @@ struct SectionGroup {
 
 void write_sections(std::ostream& out, const model::Model& model, const std::vector<SectionGroup>& groups);
 void write_materials(std::ostream& out, const model::Model& model);
+/// Model::ties as linear equations between the displacements of nodes.
+void write_ties(std::ostream& out, const model::Model& model);
 void write_contact(std::ostream& out, const model::Model& model, const std::vector<SectionGroup>& groups);
 
 /// The grips and their velocity: model data.

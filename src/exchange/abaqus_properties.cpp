@@ -3,6 +3,7 @@
 #include <array>
 #include <map>
 #include <ostream>
+#include <set>
 #include <string>
 
 #include "exchange/abaqus_number.h"
@@ -50,12 +51,22 @@ void write_section(std::ostream& out, const SectionGroup& group, const AbaqusSec
   }
   const std::string shear = abaqus_number(section.shear_stiffness);
   out << "*TRANSVERSE SHEAR STIFFNESS\n";
-  line(out, "{}, {}, {}", shear, shear, abaqus_number(kSlendernessCompensation));
+  line(out, "{}, {}, {}", shear, shear, abaqus_number(section.slenderness_compensation));
 }
 
 void write_surface(std::ostream& out, const std::string& name, const std::string& set) {
   line(out, "*SURFACE, NAME={}, TYPE=ELEMENT", name);
   line(out, "{},", set);
+}
+
+std::string pair_interaction(const model::PairFriction& pair) {
+  return fmt::format("SECTION_{}_ON_SECTION_{}", pair.first_section + 1, pair.second_section + 1);
+}
+
+void write_interaction(std::ostream& out, const std::string& name, double friction) {
+  line(out, "*SURFACE INTERACTION, NAME={}", name);
+  out << "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=HARD\n*FRICTION\n";
+  line(out, "{},", abaqus_number(friction));
 }
 
 /// A general section has no outline; its contact diameter is given as a surface thickness.
@@ -80,7 +91,8 @@ std::vector<SectionGroup> section_groups(const model::Model& model) {
   for (const model::ModelYarn& yarn : model.yarns) {
     for (int i = yarn.first_node; i < yarn.first_node + yarn.n_nodes - 1; ++i) {
       const auto node = static_cast<std::size_t>(i);
-      elements[{yarn.section, first_axis(model.nodes[node + 1] - model.nodes[node])}].push_back(++number);
+      elements[{model.element_section[node], first_axis(model.nodes[node + 1] - model.nodes[node])}].push_back(
+          ++number);
     }
   }
   std::map<int, int> axes_of_section;
@@ -122,14 +134,24 @@ void write_contact(std::ostream& out, const model::Model& model, const std::vect
     const yarn::Section& section = model.sections[static_cast<std::size_t>(group.section)];
     if (!abaqus_section(section).circle) diameters[group.section] = section.diameter;
   }
+  std::set<int> with_surface;
+  for (const auto& [section, diameter] : diameters) with_surface.insert(section);
+  for (const model::PairFriction& pair : model.pair_friction) {
+    with_surface.insert({pair.first_section, pair.second_section});
+  }
   write_surface(out, kSurface, kAllElements);
-  for (const auto& [section, diameter] : diameters) write_surface(out, section_surface(section), section_set(section));
-  line(out, "*SURFACE INTERACTION, NAME={}", kInteraction);
-  out << "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=HARD\n*FRICTION\n";
-  line(out, "{},", abaqus_number(model.friction));
+  for (const int section : with_surface) write_surface(out, section_surface(section), section_set(section));
+  write_interaction(out, kInteraction, model.friction);
+  for (const model::PairFriction& pair : model.pair_friction) {
+    write_interaction(out, pair_interaction(pair), pair.friction);
+  }
   out << "*CONTACT\n*CONTACT INCLUSIONS, ALL EXTERIOR\n";
   out << "*CONTACT PROPERTY ASSIGNMENT\n";
   line(out, "{}, {}, {}", kSurface, kSurface, kInteraction);
+  for (const model::PairFriction& pair : model.pair_friction) {
+    line(out, "{}, {}, {}", section_surface(pair.first_section), section_surface(pair.second_section),
+         pair_interaction(pair));
+  }
   write_contact_diameters(out, diameters);
 }
 

@@ -65,6 +65,7 @@ Reader reader_of(const std::string& keyword) {
       {"ELASTIC", deck::read_elastic},
       {"AMPLITUDE", deck::read_amplitude},
       {"BOUNDARY", deck::read_boundary},
+      {"EQUATION", deck::read_equations},
       {"SURFACE", deck::read_surface},
       {"SURFACEINTERACTION", deck::read_interaction},
       {"FRICTION", deck::read_friction},

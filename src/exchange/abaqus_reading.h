@@ -58,6 +58,9 @@ void read_contact_inclusions(Reading& reading, const KeywordBlock& block);
 void read_contact_properties(Reading& reading, const KeywordBlock& block);
 void read_surface_property(Reading& reading, const KeywordBlock& block);
 
+// Ties: abaqus_read_equations.cpp.
+void read_equations(Reading& reading, const KeywordBlock& block);
+
 // Amplitudes, boundaries, the step and its output: abaqus_read_step.cpp.
 void read_amplitude(Reading& reading, const KeywordBlock& block);
 void read_boundary(Reading& reading, const KeywordBlock& block);

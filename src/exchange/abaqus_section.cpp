@@ -32,6 +32,8 @@ AbaqusSection abaqus_section(const yarn::Section& section) {
   result.youngs_modulus = section.axial_stiffness / result.area;
   result.density = section.mass_per_length / result.area;
   result.shear_stiffness = section.shear_stiffness;
+  const double slenderness = section.axial_stiffness / section.bending_stiffness;  // as Abaqus takes it
+  result.slenderness_compensation = to_12_digits(kSlendernessCompensation * section.slenderness() / slenderness);
   result.inertia = section.bending_stiffness / result.youngs_modulus;
   result.torsion_constant = 2 * result.inertia;
   result.shear_modulus = section.torsional_stiffness / result.torsion_constant;

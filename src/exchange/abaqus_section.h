@@ -26,6 +26,7 @@ struct AbaqusSection {
   double shear_modulus = 0;     ///< G [MPa]
   double density = 0;           ///< rho [t/mm^3]
   double shear_stiffness = 0;   ///< K23 = K13 = k G A [N], before slenderness compensation
+  double slenderness_compensation = 0;  ///< factor [-], with which Abaqus gets the shear stiffness of beam/elements.h
 };
 
 /// The Abaqus section with the stiffness and mass of a yarn section. All members of the section must be positive.

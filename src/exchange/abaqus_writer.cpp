@@ -30,12 +30,12 @@ void comment(std::ostream& out, std::string_view text) {
 
 /// Element sets of the yarns: by course where every course is one yarn, by yarn otherwise.
 std::vector<std::string> yarn_sets(const model::Model& model) {
-  std::set<int> courses;
-  for (const model::ModelYarn& yarn : model.yarns) courses.insert(yarn.course);
+  const std::set<int> courses(model.course.begin(), model.course.end());
   const bool by_course = courses.size() == model.yarns.size();
   std::vector<std::string> names;
   for (std::size_t i = 0; i < model.yarns.size(); ++i) {
-    names.push_back(by_course ? fmt::format("COURSE_{}", model.yarns[i].course + 1) : fmt::format("YARN_{}", i + 1));
+    const auto first = static_cast<std::size_t>(model.yarns[i].first_node);
+    names.push_back(by_course ? fmt::format("COURSE_{}", model.course[first] + 1) : fmt::format("YARN_{}", i + 1));
   }
   return names;
 }
@@ -105,15 +105,32 @@ void write_elements(std::ostream& out, const model::Model& model) {
   }
 }
 
+/// Yarns that have one section throughout by name, the elements of others by number.
+std::vector<std::string> members_of_section(const model::Model& model, int section) {
+  const std::vector<std::string> names = yarn_sets(model);
+  std::vector<std::string> members;
+  int before = 0;  // elements of the yarns before
+  for (std::size_t k = 0; k < model.yarns.size(); ++k) {
+    const auto first = model.element_section.begin() + model.yarns[k].first_node;
+    const int n_elements = model.yarns[k].n_nodes - 1;
+    const auto count = std::count(first, first + n_elements, section);
+    if (count == n_elements) {
+      members.push_back(names[k]);
+    } else if (count > 0) {
+      for (int i = 0; i < n_elements; ++i) {
+        if (first[i] == section) members.push_back(std::to_string(before + i + 1));
+      }
+    }
+    before += n_elements;
+  }
+  return members;
+}
+
 void write_element_sets(std::ostream& out, const model::Model& model, const std::vector<SectionGroup>& groups) {
   caption(out, "ELEMENT SETS: the elements of each section, and all of them");
-  const std::vector<std::string> names = yarn_sets(model);
   std::vector<std::string> sections;
   for (int section = 0; section < static_cast<int>(model.sections.size()); ++section) {
-    std::vector<std::string> members;
-    for (std::size_t k = 0; k < model.yarns.size(); ++k) {
-      if (model.yarns[k].section == section) members.push_back(names[k]);
-    }
+    const std::vector<std::string> members = members_of_section(model, section);
     if (members.empty()) continue;
     sections.push_back(deck::section_set(section));
     line(out, "*ELSET, ELSET={}", sections.back());
@@ -160,6 +177,7 @@ void write_abaqus(std::ostream& out, const model::Model& model, const AbaqusOpti
   write_node_sets(out, model);
   deck::write_sections(out, model, groups);
   deck::write_materials(out, model);
+  deck::write_ties(out, model);
   deck::write_contact(out, model, groups);
   deck::write_grips(out, model.test);
   deck::write_step(out, model.test, options);

@@ -15,7 +15,7 @@ inline constexpr std::size_t kAbaqusLineWidth = 256;
 inline constexpr std::size_t kAbaqusSetEntries = 16;
 
 /// Abaqus' default slenderness compensation factor of transverse shear [-], also that of the beam elements here.
-/// Written into the deck so that it does not depend on a default.
+/// Written into the deck so that it does not depend on a default, and because soft yarns need less (AbaqusSection).
 inline constexpr double kSlendernessCompensation = 0.25;
 
 /// How far EI may be from EA D^2 / 16 for a solid circle, as a share of EI [-]. Only rounding has to fit in.

@@ -4,6 +4,8 @@
 #include <vector>
 
 #include "knit/check_fabric.h"
+#include "knit/edge_ties.h"
+#include "knit/join_courses.h"
 
 namespace knitmech::knit {
 namespace {
@@ -20,9 +22,11 @@ void add_node(YarnCurve& yarn, const FabricLayout& layout, const Erc& erc, const
   yarn.points.emplace_back(wale * layout.loop.width + side * position.x(), position.y(), position.z());
   yarn.tangents.emplace_back(at.tangent.x(), side * at.tangent.y(), side * at.tangent.z());
   yarn.arc_length.push_back(index * erc.length / n);
+  yarn.course.push_back(0);
   yarn.wale.push_back(wale);
   yarn.from_head.push_back(i * erc.length / n);
   yarn.from_foot.push_back((n - i) * erc.length / n);
+  yarn.turns.push_back(0);
 }
 
 YarnCurve build_lowest_course(const FabricLayout& layout, const Erc& erc) {
@@ -52,7 +56,7 @@ std::vector<Vector3d> middles_of(FabricLayout layout, const Erc& erc) {
 }
 
 YarnCurve raise(YarnCurve yarn, int course, double course_spacing) {
-  yarn.course = course;
+  yarn.course.assign(yarn.points.size(), course);
   for (Vector3d& point : yarn.points) point.y() += course * course_spacing;
   for (Vector3d& middle : yarn.middles) middle.y() += course * course_spacing;
   return yarn;
@@ -75,16 +79,11 @@ Fabric build_fabric(const FabricLayout& layout, const Erc& erc) {
   lowest.middles = middles_of(layout, erc);
   for (int course = 0; course < layout.courses; ++course) {
     fabric.yarns.push_back(raise(lowest, course, layout.course_spacing));
+    fabric.courses.push_back({.yarn = course, .n_nodes = static_cast<int>(lowest.points.size())});
   }
+  if (layout.structure == Structure::tied) fabric.ties = edge_ties(erc, layout);
+  if (layout.structure == Structure::adjusted) join_courses(fabric);
   return fabric;
-}
-
-long count_elements(const FabricLayout& layout) {
-  return 2L * layout.elements_per_erc * layout.wales * layout.courses;
-}
-
-long count_nodes(const FabricLayout& layout) {
-  return count_elements(layout) + layout.courses;
 }
 
 }  // namespace knitmech::knit

@@ -98,6 +98,8 @@ void check_further_courses(const Erc& erc, const FabricLayout& layout) {
 std::vector<PlanCrossing> plan_crossings(const Erc& erc, double course_spacing, int pieces_per_erc) {
   const std::vector<Vector3d> lower = scaled_points(erc, pieces_per_erc);
   const std::vector<Vector3d> upper = next_course(lower, erc.shape.width, course_spacing);
+  const double piece = erc.length / pieces_per_erc;
+  const double stitch = 2 * erc.length;
   std::vector<PlanCrossing> crossings;
   for (std::size_t i = 0; i + 1 < lower.size(); ++i) {
     for (std::size_t j = 0; j + 1 < upper.size(); ++j) {
@@ -105,7 +107,8 @@ std::vector<PlanCrossing> plan_crossings(const Erc& erc, double course_spacing, 
       if (!at) continue;
       const double lead =
           between(lower[i].z(), lower[i + 1].z(), at->on_a) - between(upper[j].z(), upper[j + 1].z(), at->on_b);
-      crossings.push_back({(static_cast<double>(i) + at->on_a) * erc.length / pieces_per_erc, lead});
+      crossings.push_back(
+          {(static_cast<double>(i) + at->on_a) * piece, (static_cast<double>(j) + at->on_b) * piece - stitch, lead});
     }
   }
   std::sort(crossings.begin(), crossings.end(),

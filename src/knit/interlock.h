@@ -11,8 +11,9 @@ namespace knitmech::knit {
 
 /// A place where the ERC and the next course cross in plan, seen along z.
 struct PlanCrossing {
-  double arc_length = 0;  ///< [mm], from the head middle of the ERC
-  double lead = 0;        ///< [mm^2], how far the lower course lies in front of the upper, (z_lower - z_upper) / p
+  double arc_length = 0;        ///< [mm], from the head middle of the ERC
+  double upper_arc_length = 0;  ///< [mm], on the next course, from the left foot of the stitch above the ERC
+  double lead = 0;  ///< [mm^2], how far the lower course lies in front of the upper, (z_lower - z_upper) / p
 };
 
 /// The crossings of one ERC with the course a distance T above it [mm], from its head to its foot, on straight pieces

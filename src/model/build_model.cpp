@@ -4,49 +4,88 @@
 #include <cmath>
 #include <cstddef>
 
-#include "base/errors.h"
 #include "knit/check_fabric.h"
 #include "knit/fabric_builder.h"
 #include "knit/out_of_plane.h"
 #include "model/constants.h"
-#include "yarn/monofilament.h"
+#include "model/sections.h"
 
 namespace knitmech::model {
 namespace {
 
+template <class Values, class More>
+void append(Values& values, const More& more) {
+  values.insert(values.end(), more.begin(), more.end());
+}
+
+/// Sections by element: 0 in the stitches, 1 in the turning arcs. The last node repeats the element before it.
+std::vector<int> sections_along(const knit::YarnCurve& curve) {
+  std::vector<int> sections(curve.turns.begin(), curve.turns.end());
+  if (sections.size() > 1) sections.back() = sections[sections.size() - 2];
+  return sections;
+}
+
 Model model_of_yarns(const knit::Fabric& fabric) {
   Model model;
   for (const knit::YarnCurve& curve : fabric.yarns) {
-    model.yarns.push_back({.first_node = model.n_nodes(),
-                           .n_nodes = static_cast<int>(curve.points.size()),
-                           .section = 0,
-                           .course = curve.course});
-    model.nodes.insert(model.nodes.end(), curve.points.begin(), curve.points.end());
-    model.tangents.insert(model.tangents.end(), curve.tangents.begin(), curve.tangents.end());
-    model.middles.insert(model.middles.end(), curve.middles.begin(), curve.middles.end());
-    model.arc_length.insert(model.arc_length.end(), curve.arc_length.begin(), curve.arc_length.end());
+    model.yarns.push_back({.first_node = model.n_nodes(), .n_nodes = static_cast<int>(curve.points.size())});
+    append(model.nodes, curve.points);
+    append(model.tangents, curve.tangents);
+    append(model.middles, curve.middles);
+    append(model.arc_length, curve.arc_length);
+    append(model.element_section, sections_along(curve));
+    append(model.course, curve.course);
+    append(model.wale, curve.wale);
   }
   return model;
 }
 
-std::vector<int> nodes_near(const ModelYarn& yarn, const std::vector<double>& distance, double reach) {
+/// The nodes of a course within reach of a loop middle. \param distance of the yarn's nodes from it [mm]
+std::vector<int> nodes_near(const Model& model, const knit::CourseNodes& course, const std::vector<double>& distance,
+                            double reach) {
+  const int first_of_yarn = model.yarns[static_cast<std::size_t>(course.yarn)].first_node;
   std::vector<int> nodes;
-  for (int i = 0; i < yarn.n_nodes; ++i) {
-    if (distance[static_cast<std::size_t>(i)] <= reach) nodes.push_back(yarn.first_node + i);
+  for (int i = course.first_node; i < course.first_node + course.n_nodes; ++i) {
+    if (distance[static_cast<std::size_t>(i)] <= reach) nodes.push_back(first_of_yarn + i);
   }
   return nodes;
 }
 
 void add_node_sets(Model& model, const knit::Fabric& fabric) {
   const double reach = (kGripShare + kGripRounding) * fabric.erc_length;
-  model.node_sets[kBottomFeet] = nodes_near(model.yarns.front(), fabric.yarns.front().from_foot, reach);
-  model.node_sets[kTopHeads] = nodes_near(model.yarns.back(), fabric.yarns.back().from_head, reach);
-  std::vector<int>& left = model.node_sets[kLeftEdge];
-  std::vector<int>& right = model.node_sets[kRightEdge];
-  for (const ModelYarn& yarn : model.yarns) {
-    left.push_back(yarn.first_node);
-    right.push_back(yarn.first_node + yarn.n_nodes - 1);
+  const knit::CourseNodes& bottom = fabric.courses.front();
+  const knit::CourseNodes& top = fabric.courses.back();
+  const auto yarn_of = [&](const knit::CourseNodes& course) -> const knit::YarnCurve& {
+    return fabric.yarns[static_cast<std::size_t>(course.yarn)];
+  };
+  model.node_sets[kBottomFeet] = nodes_near(model, bottom, yarn_of(bottom).from_foot, reach);
+  model.node_sets[kTopHeads] = nodes_near(model, top, yarn_of(top).from_head, reach);
+  for (const knit::CourseNodes& course : fabric.courses) {
+    const int first = model.yarns[static_cast<std::size_t>(course.yarn)].first_node + course.first_node;
+    const int last = first + course.n_nodes - 1;
+    model.node_sets[kLeftEdge].push_back(course.runs_left ? last : first);
+    model.node_sets[kRightEdge].push_back(course.runs_left ? first : last);
   }
+}
+
+ElementPlace place_of(const Model& model, const knit::PlaceOnYarn& place) {
+  const ModelYarn& yarn = model.yarns[static_cast<std::size_t>(place.yarn)];
+  const auto first = model.arc_length.begin() + yarn.first_node;
+  const auto next = std::upper_bound(first + 1, first + yarn.n_nodes - 1, place.arc_length);
+  const double start = *(next - 1);
+  return {static_cast<int>(next - model.arc_length.begin()) - 1, (place.arc_length - start) / (*next - start)};
+}
+
+void add_ties(Model& model, const knit::Fabric& fabric) {
+  for (const knit::YarnTie& tie : fabric.ties) {
+    model.ties.push_back({place_of(model, tie.lower), place_of(model, tie.upper)});
+  }
+}
+
+void add_edge_yarn(Model& model, const Case& input) {
+  model.sections.push_back(edge_section_of(input));
+  if (!input.contact.edge_friction) return;
+  model.pair_friction = {{0, 1, *input.contact.edge_friction}, {1, 1, *input.contact.edge_friction}};
 }
 
 double height_of(const std::vector<Eigen::Vector3d>& points) {
@@ -73,33 +112,6 @@ knit::FabricLayout layout_as_given(const Case& input) {
 
 }  // namespace
 
-yarn::Section section_of(const Case& input) {
-  const Case::Yarn& yarn = input.yarn;
-  const bool any_stiffness = yarn.axial_stiffness || yarn.bending_stiffness || yarn.torsional_stiffness;
-  const bool any_material = yarn.youngs_modulus || yarn.poissons_ratio;
-  if (any_stiffness && any_material) {
-    throw InputError(
-        "The yarn is given twice: keep either yarn.youngs_modulus and yarn.poissons_ratio, or yarn.axial_stiffness, "
-        "yarn.bending_stiffness and yarn.torsional_stiffness.");
-  }
-  if (yarn.axial_stiffness && yarn.bending_stiffness && yarn.torsional_stiffness) {
-    return yarn::section_of(yarn::MeasuredYarn{.diameter = yarn.diameter,
-                                               .density = yarn.density,
-                                               .axial_stiffness = *yarn.axial_stiffness,
-                                               .bending_stiffness = *yarn.bending_stiffness,
-                                               .torsional_stiffness = *yarn.torsional_stiffness});
-  }
-  if (yarn.youngs_modulus && yarn.poissons_ratio) {
-    return yarn::section_of(yarn::Monofilament{.diameter = yarn.diameter,
-                                               .youngs_modulus = *yarn.youngs_modulus,
-                                               .poissons_ratio = *yarn.poissons_ratio,
-                                               .density = yarn.density});
-  }
-  throw InputError(
-      "The stiffness of the yarn is incomplete: give yarn.youngs_modulus and yarn.poissons_ratio together, or "
-      "yarn.axial_stiffness, yarn.bending_stiffness and yarn.torsional_stiffness all three.");
-}
-
 knit::FabricLayout resolved_layout(const Case& input) {
   knit::FabricLayout layout = layout_as_given(input);
   if (input.loop.out_of_plane) return layout;
@@ -120,11 +132,14 @@ Model build_model(const Case& input) {
   Model model = model_of_yarns(fabric);
   model.title = input.title;
   model.sections = {section};
+  if (input.fabric.structure == knit::Structure::adjusted) add_edge_yarn(model, input);
   add_node_sets(model, fabric);
+  add_ties(model, fabric);
   model.half_stitch_length = fabric.erc_length;
   model.friction = input.contact.friction;
   model.contact_stiffness =
       input.contact.stiffness.value_or(kContactStiffnessShare * section.axial_stiffness / section.diameter);
+  model.tie_stiffness = kTieStiffnessShare * model.contact_stiffness;
   model.centreline = input.contact.centreline;
   model.test.grips = input.test.grips;
   model.test.gauge_length = height_of(model.nodes);

@@ -3,7 +3,6 @@
 #include "knit/fabric.h"
 #include "model/case.h"
 #include "model/model.h"
-#include "yarn/section.h"
 
 namespace knitmech::model {
 
@@ -14,7 +13,8 @@ namespace knitmech::model {
 /// and top_heads, the same about the head middles of the top course; the middle itself always belongs to it. At N10
 /// that is the middle and one node on each side: 28 and 27 nodes for 9 wales. left_edge and right_edge are the first
 /// and last node of each course. Contact stiffness: contact.stiffness of the case, or else 0.1 EA / D
-/// (kContactStiffnessShare). Throws InputError, with advice, for a geometry or a yarn that cannot be.
+/// (kContactStiffnessShare). Sections: 0 the yarn, 1 the edge yarn of an adjusted fabric. Throws InputError, with
+/// advice, for a geometry or a yarn that cannot be.
 [[nodiscard]] Model build_model(const Case& input);
 
 /// The fabric that build_model() makes its nodes of, out_of_plane resolved. Throws InputError like build_model().
@@ -23,9 +23,5 @@ namespace knitmech::model {
 /// The layout of the fabric of a case, with the out-of-plane parameter that the case gives or leaves to the program.
 /// Throws InputError where the latter finds none.
 [[nodiscard]] knit::FabricLayout resolved_layout(const Case& input);
-
-/// The section of the yarn of a case: from EA, EI and GJ if they are given, from E and nu otherwise. Throws InputError
-/// if neither set is complete, or both are given.
-[[nodiscard]] yarn::Section section_of(const Case& input);
 
 }  // namespace knitmech::model

@@ -12,6 +12,22 @@ namespace knitmech::model {
 enum class Centreline { smooth, chords };
 enum class TestKind { wale_tension };
 enum class Grips { clamped, sliding };
+/// What a yarn that breaks does to the test.
+enum class OnBreak { stop, go_on };
+
+/// The stiffness of a yarn in one of three ways: the material of a monofilament (E with nu or G); the filaments of a
+/// twisted multifilament, with the material of one; or EA, EI and GJ outright.
+struct YarnStiffness {
+  std::optional<double> youngs_modulus;       ///< E [MPa]
+  std::optional<double> poissons_ratio;       ///< nu [-]
+  std::optional<double> shear_modulus;        ///< G [MPa], in place of nu
+  std::optional<int> filaments;               ///< n
+  std::optional<double> filament_diameter;    ///< [mm]
+  std::optional<double> twist;                ///< turns per length [1/mm]
+  std::optional<double> axial_stiffness;      ///< EA [N]
+  std::optional<double> bending_stiffness;    ///< EI [N mm^2]
+  std::optional<double> torsional_stiffness;  ///< GJ [N mm^2]
+};
 
 /// All input of one simulation, in internal units (mm, N, s, t, MPa, mJ). A member that is empty means "auto" or "not
 /// given". The table in model/parameters.h tells key, dimension, default, range and meaning of each.
@@ -32,18 +48,24 @@ struct Case {
     int elements_per_erc = 0;
   } fabric;
 
-  struct Yarn {
-    double diameter = 0;                        ///< [mm]
-    double density = 0;                         ///< [t/mm^3]
-    std::optional<double> youngs_modulus;       ///< E [MPa]
-    std::optional<double> poissons_ratio;       ///< nu [-]
-    std::optional<double> axial_stiffness;      ///< EA [N], instead of E and nu, together with the next two
-    std::optional<double> bending_stiffness;    ///< EI [N mm^2]
-    std::optional<double> torsional_stiffness;  ///< GJ [N mm^2]
+  struct Yarn : YarnStiffness {
+    double diameter = 0;  ///< [mm]
+    double density = 0;   ///< [t/mm^3]; of the filaments, if the yarn is given by them
+    std::vector<double>
+        curve_strains;                 ///< [-], of a measured tensile curve in place of E or EA; empty if there is none
+    std::vector<double> curve_forces;  ///< [N], as many
+    std::optional<double> strength;    ///< tensile force at which the yarn breaks [N]; empty: it never does
   } yarn;
 
+  /// The yarn of the turning arcs. What is empty follows from `yarn`, see edge_section_of().
+  struct EdgeYarn : YarnStiffness {
+    std::optional<double> diameter;  ///< [mm]
+    std::optional<double> density;   ///< [t/mm^3]
+  } edge_yarn;
+
   struct Contact {
-    double friction = 0;  ///< mu [-]
+    double friction = 0;                  ///< mu [-]
+    std::optional<double> edge_friction;  ///< mu of the edge yarn on any yarn [-]; empty: friction
     Centreline centreline = Centreline::smooth;
     std::optional<double> stiffness;  ///< [N/mm], penalty of one crossing; empty: from the yarn's section
   } contact;
@@ -54,6 +76,7 @@ struct Case {
     double speed = 0;              ///< [mm/s], of the grip
     double ramp = 0;               ///< [s], from rest to the speed
     Grips grips = Grips::clamped;  ///< sliding: the top grip is free to move across the pull
+    OnBreak on_break = OnBreak::stop;
   } test;
 
   struct Solver {

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace knitmech::model {
@@ -11,29 +13,96 @@ namespace {
 /// A model of this size needs about 20 GB; what is larger is a slip of the keyboard.
 constexpr double kMostElements = 20e6;
 
-std::optional<BrokenRule> yarn_rule(const Case::Yarn& yarn) {
-  const int from_material = (yarn.youngs_modulus ? 1 : 0) + (yarn.poissons_ratio ? 1 : 0);
-  const int outright =
-      (yarn.axial_stiffness ? 1 : 0) + (yarn.bending_stiffness ? 1 : 0) + (yarn.torsional_stiffness ? 1 : 0);
-  const char* const either_or =
-      "give either youngs_modulus and poissons_ratio, or axial_stiffness, bending_stiffness and torsional_stiffness";
+/// A key that is given or missing.
+struct YarnKey {
+  const char* name;
+  bool given;
+};
+
+const YarnKey* first(const std::vector<YarnKey>& keys, bool given) {
+  const auto found = std::ranges::find(keys, given, &YarnKey::given);
+  return found == keys.end() ? nullptr : &*found;
+}
+
+constexpr const char* kWaysToGiveAYarn =
+    "give either youngs_modulus and poissons_ratio or shear_modulus, with filaments, filament_diameter and twist for a "
+    "multifilament; or axial_stiffness, bending_stiffness and torsional_stiffness";
+
+/// What a yarn's keys say about its stiffness, in the words of the case file.
+struct YarnKeys {
+  std::vector<YarnKey> modulus, shear, filaments, outright;
+};
+
+YarnKeys keys_of(const YarnStiffness& yarn) {
+  return {
+      .modulus = {{"youngs_modulus", yarn.youngs_modulus.has_value()}},
+      .shear = {{"poissons_ratio", yarn.poissons_ratio.has_value()}, {"shear_modulus", yarn.shear_modulus.has_value()}},
+      .filaments = {{"filaments", yarn.filaments.has_value()},
+                    {"filament_diameter", yarn.filament_diameter.has_value()},
+                    {"twist", yarn.twist.has_value()}},
+      .outright = {{"axial_stiffness", yarn.axial_stiffness.has_value()},
+                   {"bending_stiffness", yarn.bending_stiffness.has_value()},
+                   {"torsional_stiffness", yarn.torsional_stiffness.has_value()}}};
+}
+
+BrokenRule broken_at(const std::string& section, const char* key, const std::string& complaint) {
+  return {section + "." + key, complaint};
+}
+
+/// The material of a monofilament or of filaments: all of E, one of nu and G, all or none of the filaments' keys.
+/// \param has_curve a measured curve stands for E
+std::optional<BrokenRule> material_rule(const YarnKeys& keys, const std::string& section, bool has_curve) {
   const auto missing = [&](const char* key) {
-    return BrokenRule{std::string("yarn.") + key, fmt::format("is missing; {}", either_or)};
+    return broken_at(section, key, fmt::format("is missing; {}", kWaysToGiveAYarn));
   };
-  if (from_material > 0 && outright > 0) {
-    const char* key = yarn.axial_stiffness     ? "yarn.axial_stiffness"
-                      : yarn.bending_stiffness ? "yarn.bending_stiffness"
-                                               : "yarn.torsional_stiffness";
-    return BrokenRule{key, fmt::format("the yarn's stiffness is given twice; {}", either_or)};
+  if (!has_curve && first(keys.modulus, false) != nullptr) return missing("youngs_modulus");
+  if (first(keys.shear, true) == nullptr) return missing("poissons_ratio");
+  if (first(keys.shear, false) == nullptr) {
+    return broken_at(section, "shear_modulus", "is given beside poissons_ratio; keep one of the two");
   }
-  if (outright > 0) {
-    if (!yarn.axial_stiffness) return missing("axial_stiffness");
-    if (!yarn.bending_stiffness) return missing("bending_stiffness");
-    if (!yarn.torsional_stiffness) return missing("torsional_stiffness");
-    return std::nullopt;
+  if (first(keys.filaments, true) == nullptr) return std::nullopt;
+  if (const YarnKey* key = first(keys.filaments, false)) return missing(key->name);
+  return std::nullopt;
+}
+
+/// \param is_complete whether stiffnesses that are not given stay open
+std::optional<BrokenRule> stiffness_rule(const YarnStiffness& yarn, const std::string& section, bool is_complete,
+                                         bool has_curve) {
+  const YarnKeys keys = keys_of(yarn);
+  const YarnKey* outright = first(keys.outright, true);
+  for (const auto* group : {&keys.modulus, &keys.shear, &keys.filaments}) {
+    const YarnKey* material = first(*group, true);
+    if (material == nullptr) continue;
+    if (outright != nullptr) {
+      return broken_at(
+          section, outright->name,
+          fmt::format("the yarn's stiffness is given twice, here and by {}; {}", material->name, kWaysToGiveAYarn));
+    }
+    return material_rule(keys, section, has_curve);
   }
-  if (!yarn.youngs_modulus) return missing("youngs_modulus");
-  if (!yarn.poissons_ratio) return missing("poissons_ratio");
+  if (!is_complete) return std::nullopt;
+  if (outright == nullptr) return material_rule(keys, section, has_curve);
+  for (const YarnKey& key : keys.outright) {
+    const bool by_curve = has_curve && key.name == keys.outright.front().name;
+    if (!key.given && !by_curve) return broken_at(section, key.name, fmt::format("is missing; {}", kWaysToGiveAYarn));
+  }
+  return std::nullopt;
+}
+
+std::optional<BrokenRule> curve_rule(const Case::Yarn& yarn) {
+  const auto broken = [](const char* key, std::string complaint) { return BrokenRule{key, std::move(complaint)}; };
+  if (yarn.curve_strains.empty() != yarn.curve_forces.empty() ||
+      yarn.curve_strains.size() != yarn.curve_forces.size()) {
+    return broken("yarn.curve_forces",
+                  fmt::format("has {} forces for the {} strains of yarn.curve_strains; give as many",
+                              yarn.curve_forces.size(), yarn.curve_strains.size()));
+  }
+  if (yarn.curve_strains.empty()) return std::nullopt;
+  if (yarn.youngs_modulus || yarn.axial_stiffness) {
+    return broken(yarn.youngs_modulus ? "yarn.youngs_modulus" : "yarn.axial_stiffness",
+                  "is given beside yarn.curve_strains; the curve takes its place, so remove one of the two");
+  }
+  if (yarn.filaments) return broken("yarn.filaments", "cannot go with a measured curve; remove one of the two");
   return std::nullopt;
 }
 
@@ -60,7 +129,9 @@ std::optional<BrokenRule> size_rule(const Case::Fabric& fabric) {
 }  // namespace
 
 std::optional<BrokenRule> broken_rule(const Case& input) {
-  if (auto broken = yarn_rule(input.yarn)) return broken;
+  if (auto broken = curve_rule(input.yarn)) return broken;
+  if (auto broken = stiffness_rule(input.yarn, "yarn", true, !input.yarn.curve_strains.empty())) return broken;
+  if (auto broken = stiffness_rule(input.edge_yarn, "edge_yarn", false, false)) return broken;
   if (auto broken = frames_rule(input)) return broken;
   return size_rule(input.fabric);
 }

@@ -7,6 +7,13 @@ namespace knitmech::model {
 /// step, smaller lets yarns sink into each other visibly.
 inline constexpr double kContactStiffnessShare = 0.1;
 
+/// Stiffness of a tie between yarns, in units of the contact stiffness [-]. Larger lets tied places come apart less,
+/// under smaller time steps.
+inline constexpr double kTieStiffnessShare = 2;
+
+/// Bending stiffness of the edge yarn that "auto" stands for [N mm^2]: the published soft multifilament.
+inline constexpr double kEdgeBendingStiffness = 5e-6;
+
 /// Share of the ERC's arc length [-] on each side of a foot or head middle that a grip holds; 0.1 for every mesh, so
 /// that the grips hold the same piece of yarn. Larger stiffens the rows at the grips.
 inline constexpr double kGripShare = 0.1;

@@ -15,7 +15,7 @@ struct HistoryRow {
   double external_work = 0;         ///< [mJ], done by the driven grip
   double internal_energy = 0;       ///< [mJ], strain energy of the beams
   double kinetic_energy = 0;        ///< [mJ], translation and rotation, scaled mass included
-  double contact_energy = 0;        ///< [mJ], stored in the contact penalty and the elastic stick
+  double contact_energy = 0;        ///< [mJ], stored in the contact penalty, the elastic stick and ties
   double friction_loss = 0;         ///< [mJ]
   double damping_loss = 0;          ///< [mJ], bulk viscosity and mass damping
   double width = 0;                 ///< [mm], extent along x at mid-height of the fabric
@@ -55,6 +55,7 @@ struct Frame {
   std::vector<double> torque;                  ///< [N mm], element, signed
   std::vector<double> curvature;               ///< [1/mm], element, change since the stress-free shape, magnitude
   std::vector<Eigen::Vector3d> contact_force;  ///< [N], node
+  std::vector<Eigen::Vector3d> tie_force;      ///< [N], node, by ties to other yarns
   std::vector<double> gap;  ///< [mm], node, least gap to another piece of yarn; +infinity where none is near
   std::vector<ContactRecord> contacts;  ///< those with a force
 };

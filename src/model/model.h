@@ -14,8 +14,17 @@ namespace knitmech::model {
 struct ModelYarn {
   int first_node = 0;
   int n_nodes = 0;
-  int section = 0;  ///< index into Model::sections
-  int course = 0;
+};
+
+/// A place on a yarn: a share of the way along an element.
+struct ElementPlace {
+  int element = 0;   ///< by its first node
+  double share = 0;  ///< in [0, 1]
+};
+
+/// Two places that are tied to each other: they keep their relative position. See contact/yarn_ties.h.
+struct Tie {
+  ElementPlace first, second;
 };
 
 /// Names of the node sets that every fabric has. bottom_feet and top_heads are the grips.
@@ -52,8 +61,7 @@ struct PairFriction {
 /// The finite-element model: nodes, two-node beam elements along yarns, sections, node sets, contact, test.
 ///
 /// Nodes are numbered along each yarn, yarn after yarn. Element i exists if node i is not the last of its yarn and
-/// joins nodes i and i + 1; per-element vectors have one entry per node, the entry of a yarn's last node is unused and
-/// zero.
+/// joins nodes i and i + 1; per-element vectors have one entry per node, the entry of a yarn's last node is unused.
 struct Model {
   std::string title;
   std::vector<Eigen::Vector3d> nodes;     ///< [mm], stress-free
@@ -64,14 +72,21 @@ struct Model {
   std::vector<double> arc_length;  ///< [mm], along the true centreline from the yarn's first node
   std::vector<ModelYarn> yarns;
   std::vector<yarn::Section> sections;
+  std::vector<int> element_section;  ///< index into sections, per element; a yarn's last entry repeats the one before
+  std::vector<int> course, wale;     ///< of each node, counted from 0; knit::kNoWale on a turning arc between courses
+  std::vector<Tie> ties;
   std::map<std::string, std::vector<int>> node_sets;  ///< ascending node indices
   double half_stitch_length = 0;                      ///< [mm], arc length of one ERC
   double friction = 0;                                ///< mu [-], of all pairs of yarns but those in pair_friction
   std::vector<PairFriction> pair_friction;
   double contact_stiffness = 0;  ///< [N/mm], penalty of one crossing
+  double tie_stiffness = 0;      ///< [N/mm], of each tie
   Centreline centreline = Centreline::smooth;
   TensileTest test;
 
+  [[nodiscard]] const yarn::Section& section_of(std::size_t element) const {
+    return sections[static_cast<std::size_t>(element_section[element])];
+  }
   [[nodiscard]] int n_nodes() const { return static_cast<int>(nodes.size()); }
   [[nodiscard]] int n_elements() const { return n_nodes() - static_cast<int>(yarns.size()); }
 };

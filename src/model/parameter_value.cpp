@@ -67,18 +67,30 @@ Value whole_number_from(const Parameter& parameter, const TomlValue& given) {
   return static_cast<int>(*whole);
 }
 
+double item_from(const Parameter& parameter, const TomlItem& item, std::size_t place) {
+  const auto number = number_in(item);
+  if (parameter.dimension == base::Dimension::number) {
+    if (number) return finite(parameter, *number);
+    refuse(parameter, fmt::format("has something else than a number at place {}; write numbers without quotes", place));
+  }
+  const auto* text = std::get_if<std::string>(&item);
+  if (text == nullptr) {
+    refuse(parameter, fmt::format("has something else than a text at place {}; write each {} with its unit ({}) in "
+                                  "quotes",
+                                  place, base::name_of(parameter.dimension), base::unit_names(parameter.dimension)));
+  }
+  try {
+    return base::parse_quantity(*text, parameter.dimension);
+  } catch (const InputError& error) {
+    refuse(parameter, fmt::format("at place {}: {}", place, error.what()));
+  }
+}
+
 Value list_from(const Parameter& parameter, const TomlValue& given) {
   const auto* items = std::get_if<std::vector<TomlItem>>(&given);
-  if (items == nullptr) refuse(parameter, fmt::format("is {}; write a list of numbers", in_words(given)));
+  if (items == nullptr) refuse(parameter, fmt::format("is {}; write a list", in_words(given)));
   std::vector<double> numbers;
-  for (const TomlItem& item : *items) {
-    const auto number = number_in(item);
-    if (!number) {
-      refuse(parameter, fmt::format("has something else than a number at place {}; write numbers without quotes",
-                                    numbers.size() + 1));
-    }
-    numbers.push_back(finite(parameter, *number));
-  }
+  for (const TomlItem& item : *items) numbers.push_back(item_from(parameter, item, numbers.size() + 1));
   return numbers;
 }
 
@@ -93,7 +105,7 @@ Value unchecked_value(const Parameter& parameter, const TomlValue& given) {
       return quantity_from(parameter, given);
     case Kind::whole_number:
       return whole_number_from(parameter, given);
-    case Kind::list_of_numbers:
+    case Kind::list_of_quantities:
       return list_from(parameter, given);
     case Kind::text:
     case Kind::choice:

@@ -14,6 +14,9 @@ namespace {
 template <class T>
 constexpr bool kIsChoice = std::is_enum_v<T>;
 
+template <class T>
+constexpr bool kIsOptional = std::is_same_v<T, std::optional<double>> || std::is_same_v<T, std::optional<int>>;
+
 std::string complaint_about_number(const Parameter& parameter, double number) {
   if (parameter.range.contains(number)) return {};
   const auto text = [&](double each) { return base::format_quantity(each, parameter.dimension); };
@@ -32,7 +35,9 @@ std::string complaint_about_list(const Parameter& parameter, const std::vector<d
     const std::string complaint = complaint_about_number(parameter, numbers[i]);
     if (!complaint.empty()) return fmt::format("has a wrong number at place {}: it {}", i + 1, complaint);
   }
-  if (std::ranges::adjacent_find(numbers, std::greater_equal<>()) != numbers.end()) {
+  // Forces may stay the same from one strain to the next as far as this table knows.
+  const bool is_pure = parameter.dimension == base::Dimension::number;
+  if (is_pure && std::ranges::adjacent_find(numbers, std::greater_equal<>()) != numbers.end()) {
     return "must ascend, each number greater than the one before";
   }
   return {};
@@ -82,7 +87,8 @@ Kind kind_of(const Parameter& parameter) {
         if constexpr (kIsChoice<Member>) return Kind::choice;
         if constexpr (std::is_same_v<Member, std::string>) return Kind::text;
         if constexpr (std::is_same_v<Member, int>) return Kind::whole_number;
-        if constexpr (std::is_same_v<Member, std::vector<double>>) return Kind::list_of_numbers;
+        if constexpr (std::is_same_v<Member, std::optional<int>>) return Kind::whole_number;
+        if constexpr (std::is_same_v<Member, std::vector<double>>) return Kind::list_of_quantities;
         return Kind::quantity;
       },
       parameter.slot(any));
@@ -95,8 +101,10 @@ Value value_in(const Case& input, const Parameter& parameter) {
         using Member = std::remove_pointer_t<decltype(member)>;
         if constexpr (kIsChoice<Member>) {
           return std::string(parameter.choices.at(static_cast<std::size_t>(*member)));
-        } else if constexpr (std::is_same_v<Member, std::optional<double>>) {
+        } else if constexpr (kIsOptional<Member>) {
           return *member ? Value(**member) : Value();
+        } else if constexpr (std::is_same_v<Member, std::vector<double>>) {
+          return parameter.need == Need::optional && member->empty() ? Value() : Value(*member);
         } else {
           return *member;
         }
@@ -111,9 +119,9 @@ void set_value(Case& input, const Parameter& parameter, const Value& value) {
         if constexpr (kIsChoice<Member>) {
           const auto word = std::ranges::find(parameter.choices, std::string_view(std::get<std::string>(value)));
           *member = static_cast<Member>(word - parameter.choices.begin());
-        } else if constexpr (std::is_same_v<Member, std::optional<double>>) {
-          const auto* number = std::get_if<double>(&value);
-          *member = number != nullptr ? std::optional<double>(*number) : std::nullopt;
+        } else if constexpr (kIsOptional<Member>) {
+          const auto* number = std::get_if<typename Member::value_type>(&value);
+          *member = number != nullptr ? Member(*number) : std::nullopt;
         } else {
           *member = std::get<Member>(value);
         }

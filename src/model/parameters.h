@@ -11,15 +11,16 @@
 
 namespace knitmech::model {
 
-/// The value of a parameter, in internal units; a choice is its word. std::monostate: "auto", or not given.
+/// The value of a parameter, in internal units; a choice is its word. std::monostate: "auto", or not given. An empty
+/// list stands for one that is not given.
 using Value = std::variant<std::monostate, double, int, std::string, std::vector<double>>;
 
 /// The member of a Case that a parameter fills.
-using Slot = std::variant<std::string*, double*, std::optional<double>*, int*, std::vector<double>*, knit::Structure*,
-                          Centreline*, TestKind*, Grips*>;
+using Slot = std::variant<std::string*, double*, std::optional<double>*, int*, std::optional<int>*,
+                          std::vector<double>*, knit::Structure*, Centreline*, TestKind*, Grips*, OnBreak*>;
 
 /// What is written in a case file for a parameter.
-enum class Kind { text, quantity, whole_number, list_of_numbers, choice };
+enum class Kind { text, quantity, whole_number, list_of_quantities, choice };
 
 /// Whether a parameter must be given, and what holds if it is not.
 enum class Need {
@@ -43,7 +44,7 @@ struct Range {
 /// One input parameter: everything that the reader, its messages, the template of a case file and the input reference
 /// say about it.
 struct Parameter {
-  std::string_view key = {};     ///< "loop.height": section of the case file, then name
+  std::string key = {};          ///< "loop.height": section of the case file, then name
   std::string_view symbol = {};  ///< "H" in formulas; empty if there is none
   base::Dimension dimension = base::Dimension::number;
   Need need = Need::required;
@@ -59,6 +60,9 @@ struct CaseSection {
   std::string_view name;  ///< empty: the top of the file
   std::string_view help;  ///< one line
 };
+
+/// The parameters of [yarn] and [edge_yarn]; part of parameters().
+[[nodiscard]] std::vector<Parameter> parameters_of_yarns();
 
 /// The table of all parameters, section by section in the order of the case file. There is no other list of them.
 [[nodiscard]] const std::vector<Parameter>& parameters();

@@ -6,13 +6,10 @@ namespace {
 using base::Dimension;
 
 // Upper ends of ranges are there to catch slips (a metre for a millimetre, per cent for a ratio), not to limit physics.
-constexpr double kLongestLength = 1000;               // [mm]
-constexpr double kStiffestMaterial = 1e6;             // [MPa], about that of diamond
-constexpr double kDensestMaterial = 1e5 / 1e12;       // [t/mm^3]
-constexpr double kGreatestStiffness = 1e9;            // [N], [N mm^2], [N/mm]
-constexpr double kMostStitches = 100000;              // along one side of the fabric
-constexpr double kGreatestStrain = 2;                 // 200 %
-constexpr double kPerTonnePerCubicMillimetre = 1e12;  // [kg/m^3]
+constexpr double kLongestLength = 1000;     // [mm]
+constexpr double kGreatestStiffness = 1e9;  // [N/mm]
+constexpr double kMostStitches = 100000;    // along one side of the fabric
+constexpr double kGreatestStrain = 2;       // 200 %
 
 Range above_zero_to(double greatest) {
   return {.least = 0, .greatest = greatest, .least_excluded = true};
@@ -107,8 +104,9 @@ std::vector<Parameter> fabric_parameters() {
       {.key = "fabric.structure",
        .need = Need::defaulted,
        .value = "basic",
-       .choices = {"basic"},
-       .help = "how courses are joined at the side edges; basic: every course is a yarn of its own",
+       .choices = {"basic", "tied", "adjusted"},
+       .help = "how courses are joined at the side edges; basic: every course is a yarn of its own, tied: as basic "
+               "and the crossings of the edge stitches are tied, adjusted: turning arcs join the courses to one yarn",
        .slot = [](Case& c) -> Slot { return &c.fabric.structure; }},
       {.key = "fabric.elements_per_erc",
        .symbol = "N",
@@ -120,64 +118,6 @@ std::vector<Parameter> fabric_parameters() {
   };
 }
 
-std::vector<Parameter> yarn_parameters() {
-  return {
-      {.key = "yarn.diameter",
-       .symbol = "D",
-       .dimension = Dimension::length,
-       .value = 0.12,
-       .range = above_zero_to(100),
-       .help = "diameter of the yarn",
-       .slot = [](Case& c) -> Slot { return &c.yarn.diameter; }},
-      {.key = "yarn.density",
-       .symbol = "rho",
-       .dimension = Dimension::density,
-       .value = 1140 / kPerTonnePerCubicMillimetre,
-       .range = above_zero_to(kDensestMaterial),
-       .help = "mass per volume of the yarn, over its whole circular section",
-       .slot = [](Case& c) -> Slot { return &c.yarn.density; }},
-      {.key = "yarn.youngs_modulus",
-       .symbol = "E",
-       .dimension = Dimension::pressure,
-       .need = Need::optional,
-       .value = 1700.0,
-       .range = above_zero_to(kStiffestMaterial),
-       .help = "Young's modulus of a monofilament, together with poissons_ratio",
-       .slot = [](Case& c) -> Slot { return &c.yarn.youngs_modulus; }},
-      {.key = "yarn.poissons_ratio",
-       .symbol = "nu",
-       .need = Need::optional,
-       .value = 0.39,
-       .range = {.least = -1, .greatest = 0.5, .least_excluded = true},
-       .help = "Poisson's ratio of a monofilament",
-       .slot = [](Case& c) -> Slot { return &c.yarn.poissons_ratio; }},
-      {.key = "yarn.axial_stiffness",
-       .symbol = "EA",
-       .dimension = Dimension::force,
-       .need = Need::optional,
-       .value = 19.2,
-       .range = above_zero_to(kGreatestStiffness),
-       .help = "axial stiffness, with the next two in place of E and nu",
-       .slot = [](Case& c) -> Slot { return &c.yarn.axial_stiffness; }},
-      {.key = "yarn.bending_stiffness",
-       .symbol = "EI",
-       .dimension = Dimension::bending_stiffness,
-       .need = Need::optional,
-       .value = 0.0173,
-       .range = above_zero_to(kGreatestStiffness),
-       .help = "bending stiffness, the same about every axis of the section",
-       .slot = [](Case& c) -> Slot { return &c.yarn.bending_stiffness; }},
-      {.key = "yarn.torsional_stiffness",
-       .symbol = "GJ",
-       .dimension = Dimension::bending_stiffness,
-       .need = Need::optional,
-       .value = 0.0124,
-       .range = above_zero_to(kGreatestStiffness),
-       .help = "torsional stiffness",
-       .slot = [](Case& c) -> Slot { return &c.yarn.torsional_stiffness; }},
-  };
-}
-
 std::vector<Parameter> contact_parameters() {
   return {
       {.key = "contact.friction",
@@ -186,6 +126,12 @@ std::vector<Parameter> contact_parameters() {
        .range = from(0, 5),
        .help = "coefficient of friction of yarn on yarn (Coulomb)",
        .slot = [](Case& c) -> Slot { return &c.contact.friction; }},
+      {.key = "contact.edge_friction",
+       .need = Need::automatic,
+       .value = 0.2,
+       .range = from(0, 5),
+       .help = "the same of the edge yarn on any yarn; auto takes friction",
+       .slot = [](Case& c) -> Slot { return &c.contact.edge_friction; }},
       {.key = "contact.centreline",
        .need = Need::defaulted,
        .value = "smooth",
@@ -237,6 +183,12 @@ std::vector<Parameter> test_parameters() {
        .choices = {"clamped", "sliding"},
        .help = "clamped: the pulled heads cannot move across the pull; sliding: they can",
        .slot = [](Case& c) -> Slot { return &c.test.grips; }},
+      {.key = "test.on_break",
+       .need = Need::defaulted,
+       .value = "stop",
+       .choices = {"stop", "go on"},
+       .help = "what a yarn that breaks does; stop: it ends the test, go on: the test continues with the broken yarn",
+       .slot = [](Case& c) -> Slot { return &c.test.on_break; }},
   };
 }
 
@@ -289,7 +241,7 @@ std::vector<Parameter> output_parameters() {
 
 std::vector<Parameter> all_parameters() {
   std::vector<Parameter> all;
-  for (const auto& part : {top_of_file(), loop_parameters(), fabric_parameters(), yarn_parameters(),
+  for (const auto& part : {top_of_file(), loop_parameters(), fabric_parameters(), parameters_of_yarns(),
                            contact_parameters(), test_parameters(), solver_parameters(), output_parameters()}) {
     all.insert(all.end(), part.begin(), part.end());
   }
@@ -308,7 +260,11 @@ const std::vector<CaseSection>& sections() {
       {.name = "", .help = "The whole case"},
       {.name = "loop", .help = "The loop, measured on the yarn's centreline"},
       {.name = "fabric", .help = "The piece of fabric and its mesh"},
-      {.name = "yarn", .help = "The yarn: either E and nu of a monofilament, or EA, EI and GJ outright"},
+      {.name = "yarn",
+       .help = "The yarn: a monofilament by E and nu, a multifilament by its filaments, or EA, EI and GJ outright"},
+      {.name = "edge_yarn",
+       .help = "The yarn of the turning arcs of fabric.structure \"adjusted\"; without effect in the others. By its "
+               "stiffnesses, or by a material and filaments, like the yarn"},
       {.name = "contact", .help = "Yarn against yarn"},
       {.name = "test", .help = "The tensile test"},
       {.name = "solver", .help = "Explicit dynamics"},

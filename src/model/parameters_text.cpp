@@ -59,7 +59,7 @@ std::string range_text(const Parameter& parameter) {
       return choices_text(parameter);
     case Kind::quantity:
     case Kind::whole_number:
-    case Kind::list_of_numbers:
+    case Kind::list_of_quantities:
       break;
   }
   const auto text = [&](double each) { return base::format_quantity(each, parameter.dimension); };
@@ -75,8 +75,10 @@ std::string written_as(const Parameter& parameter) {
       return "one of the words";
     case Kind::whole_number:
       return "whole number";
-    case Kind::list_of_numbers:
-      return "list of numbers";
+    case Kind::list_of_quantities:
+      return parameter.dimension == base::Dimension::number
+                 ? "list of numbers"
+                 : fmt::format("list of texts, {}", base::unit_names(parameter.dimension));
     case Kind::quantity:
       break;
   }
@@ -120,10 +122,15 @@ std::string toml_text(const Parameter& parameter, const Value& value) {
   if (std::holds_alternative<std::monostate>(value)) return "\"auto\"";
   if (const auto* text = std::get_if<std::string>(&value)) return quoted_toml(*text);
   if (const auto* whole = std::get_if<int>(&value)) return fmt::format("{}", *whole);
-  if (const auto* numbers = std::get_if<std::vector<double>>(&value))
-    return fmt::format("[{}]", fmt::join(*numbers, ", "));
-  const std::string text = base::format_quantity(std::get<double>(value), parameter.dimension);
-  return parameter.dimension == base::Dimension::number ? text : quoted_toml(text);
+  const auto written = [&](double number) {
+    const std::string text = base::format_quantity(number, parameter.dimension);
+    return parameter.dimension == base::Dimension::number ? text : quoted_toml(text);
+  };
+  const auto* numbers = std::get_if<std::vector<double>>(&value);
+  if (numbers == nullptr) return written(std::get<double>(value));
+  std::vector<std::string> items;
+  for (const double number : *numbers) items.push_back(written(number));
+  return fmt::format("[{}]", fmt::join(items, ", "));
 }
 
 std::string assignment(const Parameter& parameter, const Value& value) {
@@ -135,8 +142,8 @@ std::string case_template() {
       "# A case for KnitMech. A value with a dimension is written in quotes with its unit, \"0.12 mm\".\n"
       "# A line that begins with \"# name =\" shows what holds when the line is not there; to change it, remove the "
       "\"#\".\n"
-      "# The three stiffnesses of [yarn] are examples instead: they take the place of youngs_modulus and "
-      "poissons_ratio.\n";
+      "# In [yarn] and [edge_yarn], stiffnesses, filaments, curve and strength are examples instead: most take the "
+      "place of\n# youngs_modulus and poissons_ratio.\n";
   for (const CaseSection& section : sections()) {
     text += section.name.empty() ? "\n" : fmt::format("\n# {}.\n[{}]\n", section.help, section.name);
     std::vector<std::pair<std::string, std::string>> lines;

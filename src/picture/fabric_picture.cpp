@@ -122,8 +122,8 @@ std::function<Colour(const TubeHit&)> yarn_colours(const model::Model& model, co
     std::array<Colour, kCourseColours.size()> colours;
     std::transform(kCourseColours.begin(), kCourseColours.end(), colours.begin(), from_srgb);
     return [&scene, &model, colours](const TubeHit& hit) {
-      const auto yarn = static_cast<std::size_t>(scene.pieces()[static_cast<std::size_t>(hit.piece)].yarn);
-      return colours[static_cast<std::size_t>(model.yarns[yarn].course) % colours.size()];
+      const auto node = static_cast<std::size_t>(scene.pieces()[static_cast<std::size_t>(hit.piece)].node);
+      return colours[static_cast<std::size_t>(model.course[node]) % colours.size()];
     };
   }
   return [colour = from_srgb(kPlainYarn)](const TubeHit&) { return colour; };

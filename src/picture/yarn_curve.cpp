@@ -45,7 +45,7 @@ std::vector<CurvePiece> yarn_curves(const model::Model& model, const model::Fram
                        .end = frame.points[b],
                        .start_tangent = length * turned(frame.rotations[a], model.tangents[a]),
                        .end_tangent = length * turned(frame.rotations[b], model.tangents[b]),
-                       .radius = 0.5 * model.sections[static_cast<std::size_t>(data.section)].diameter,
+                       .radius = 0.5 * model.section_of(a).diameter,
                        .node = node,
                        .yarn = static_cast<int>(yarn),
                        .continues_piece_before = continues};

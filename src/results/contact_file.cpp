@@ -10,6 +10,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "model/places.h"
 #include "results/vtk_xml.h"
 
 namespace knitmech::results {
@@ -19,8 +20,8 @@ using model::ContactRecord;
 using model::Frame;
 using model::Model;
 
-int course_of(const Model& model, int yarn) {
-  return model.yarns[static_cast<std::size_t>(yarn)].course;
+int course_of(const Model& model, int yarn, double place) {
+  return model.course[model::node_near(model, yarn, place)];
 }
 
 double degrees(double angle) {
@@ -45,8 +46,10 @@ std::string comma_separated(const Eigen::Vector3d& vector) {
 
 std::string table_line(const Model& model, const ContactRecord& contact) {
   std::string line;
-  line += fmt::format("{},{},{},", contact.first_yarn, course_of(model, contact.first_yarn), contact.first_place);
-  line += fmt::format("{},{},{},", contact.second_yarn, course_of(model, contact.second_yarn), contact.second_place);
+  line += fmt::format("{},{},{},", contact.first_yarn, course_of(model, contact.first_yarn, contact.first_place),
+                      contact.first_place);
+  line += fmt::format("{},{},{},", contact.second_yarn, course_of(model, contact.second_yarn, contact.second_place),
+                      contact.second_place);
   line += fmt::format("{},{},", comma_separated(contact.position), comma_separated(contact.normal));
   line += fmt::format("{},{},", contact.gap, contact.normal_force);
   line += fmt::format("{},{},", comma_separated(contact.friction_force), contact.friction_force.norm());
@@ -69,7 +72,9 @@ auto column(const Frame& frame, ValueOf value_of) {
 /// Where the contact is on one of its two yarns, called "first" or "second".
 std::string place_arrays(const Model& model, const Frame& frame, const std::string& which, int ContactRecord::*yarn,
                          double ContactRecord::*place) {
-  const auto course = [&](const ContactRecord& contact) -> std::int32_t { return course_of(model, contact.*yarn); };
+  const auto course = [&](const ContactRecord& contact) -> std::int32_t {
+    return course_of(model, contact.*yarn, contact.*place);
+  };
   return vtk_array(which + "_yarn", column(frame, yarn)) + vtk_array(which + "_course", column(frame, course)) +
          vtk_array(which + "_place_mm", column(frame, place));
 }

@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "model/places.h"
+
 namespace knitmech::results {
 namespace {
 
-double diameter_of(const model::Model& model, int yarn) {
-  const int section = model.yarns[static_cast<std::size_t>(yarn)].section;
-  return model.sections[static_cast<std::size_t>(section)].diameter;
+double diameter_of(const model::Model& model, int yarn, double place) {
+  return model.section_of(model::node_near(model, yarn, place)).diameter;
 }
 
 }  // namespace
@@ -17,7 +18,8 @@ ContactSummary summarise_contacts(const model::Model& model, const std::vector<m
   ContactSummary summary;
   int n_slipping = 0;
   for (const model::ContactRecord& contact : contacts) {
-    const double diameter = std::min(diameter_of(model, contact.first_yarn), diameter_of(model, contact.second_yarn));
+    const double diameter = std::min(diameter_of(model, contact.first_yarn, contact.first_place),
+                                     diameter_of(model, contact.second_yarn, contact.second_place));
     ++summary.contacts;
     n_slipping += contact.slips ? 1 : 0;
     summary.normal_force += contact.normal_force;

@@ -2,10 +2,10 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <numeric>
 #include <stdexcept>
 
 #include "results/node_values.h"
@@ -35,10 +35,7 @@ std::vector<double> infinite_as_nan(std::vector<double> values) {
 
 std::vector<double> tube_radii(const Model& model) {
   std::vector<double> radii(model.nodes.size());
-  for (const model::ModelYarn& yarn : model.yarns) {
-    const double radius = 0.5 * model.sections[static_cast<std::size_t>(yarn.section)].diameter;
-    std::fill_n(radii.begin() + yarn.first_node, yarn.n_nodes, radius);
-  }
+  for (std::size_t i = 0; i < radii.size(); ++i) radii[i] = 0.5 * model.section_of(i).diameter;
   return radii;
 }
 
@@ -79,18 +76,18 @@ std::string point_arrays(const Model& model, const Frame& frame) {
   text += vtk_array("gap_mm", infinite_as_nan(frame.gap));
   text += vtk_array("displacement_mm", displacements(model, frame));
   text += vtk_array("rotation_wxyz", frame.rotations);
+  text += vtk_array("tie_force_N", frame.tie_force);
   text += vtk_array("tube_radius_mm", tube_radii(model));
+  text += vtk_array("course", model.course);
+  text += vtk_array("wale", model.wale);
+  text += vtk_array("section", model.element_section);
   return text;
 }
 
 std::string cell_arrays(const Model& model) {
-  std::vector<std::int32_t> yarn_ids;
-  std::vector<std::int32_t> courses;
-  for (const model::ModelYarn& yarn : model.yarns) {
-    yarn_ids.push_back(static_cast<std::int32_t>(yarn_ids.size()));
-    courses.push_back(yarn.course);
-  }
-  return vtk_array("yarn", yarn_ids) + vtk_array("course", courses);
+  std::vector<std::int32_t> yarn_ids(model.yarns.size());
+  std::iota(yarn_ids.begin(), yarn_ids.end(), 0);
+  return vtk_array("yarn", yarn_ids);
 }
 
 VtkCells lines(const Model& model) {
@@ -107,7 +104,7 @@ VtkCells lines(const Model& model) {
 void check_sizes(const Model& model, const Frame& frame) {
   const std::size_t count = model.nodes.size();
   bool fits = frame.points.size() == count && frame.rotations.size() == count && frame.contact_force.size() == count &&
-              frame.gap.size() == count;
+              frame.tie_force.size() == count && frame.gap.size() == count;
   for (const NamedElementValues& field : element_fields(frame)) {
     fits = fits && field.values.size() == count;
   }

@@ -33,7 +33,9 @@ ExplicitSolver::ExplicitSolver(const model::Model& model, const ExplicitSettings
       elements_(beam::make_elements(model, settings.mass_scaling, settings.bulk_viscosity)),
       inertia_(beam::lump_inertia(elements_, settings.mass_scaling)),
       work_(model.nodes.size()),
+      folds_(model, elements_),
       contact_(model),
+      ties_(model),
       grips_(model),
       state_(state_at_rest(model)),
       loads_(model.nodes.size()),
@@ -56,7 +58,9 @@ double ExplicitSolver::stable_step_for(double contact_frequency_squared) const {
 void ExplicitSolver::look_at_stable_step() {
   const double speed_squared = largest_speed_squared(state_);
   is_finite_ = !std::isnan(speed_squared);
-  double allowed = stable_step_for(contact_.highest_frequency_squared(inertia_.mass, inertia_.rotary));
+  double allowed =
+      stable_step_for(contact_.highest_frequency_squared(inertia_.mass, inertia_.rotary) +
+                      ties_.highest_frequency_squared(contact_.centreline(), inertia_.mass, inertia_.rotary));
   if (speed_squared > 0) allowed = std::min(allowed, kLargestMove * smallest_radius_ / std::sqrt(speed_squared));
 
   if (allowed < step_in_use_) {
@@ -70,7 +74,9 @@ void ExplicitSolver::look_at_stable_step() {
 
 void ExplicitSolver::compute_forces() {
   beam::set_internal_force(elements_, state_, step_.mean(), work_, loads_);
+  folds_.add_moments(state_, loads_);
   contact_.add_forces(state_, step_.before, loads_);
+  ties_.add_forces(contact_.centreline(), state_, loads_);
   largest_penetration_ = std::max(largest_penetration_, contact_.largest_penetration());
   forces_are_current_ = true;
 }
@@ -80,6 +86,7 @@ void ExplicitSolver::evaluate() {
 }
 
 void ExplicitSolver::step() {
+  if (steps_ == 0) evaluate();
   if (steps_ % kWatchInterval == 0) look_at_stable_step();
   step_.after = step_in_use_;
   if (steps_ == 0) step_.before = step_.after;
@@ -105,15 +112,13 @@ void ExplicitSolver::step() {
 }
 
 double ExplicitSolver::width() const {
-  const int middle = static_cast<int>(model_.yarns.size()) / 2;
+  const int middle = (1 + *std::max_element(model_.course.begin(), model_.course.end())) / 2;
   double low = std::numeric_limits<double>::max();
   double high = std::numeric_limits<double>::lowest();
-  for (const model::ModelYarn& yarn : model_.yarns) {
-    if (yarn.course != middle) continue;
-    for (int node = yarn.first_node; node < yarn.first_node + yarn.n_nodes; ++node) {
-      low = std::min(low, state_.position.x[static_cast<std::size_t>(node)]);
-      high = std::max(high, state_.position.x[static_cast<std::size_t>(node)]);
-    }
+  for (std::size_t node = 0; node < model_.nodes.size(); ++node) {
+    if (model_.course[node] != middle || model_.wale[node] == knit::kNoWale) continue;
+    low = std::min(low, state_.position.x[node]);
+    high = std::max(high, state_.position.x[node]);
   }
   return high - low;
 }
@@ -130,11 +135,11 @@ model::HistoryRow ExplicitSolver::history() {
   }
   impulse_top_ = impulse_bottom_ = impulse_time_ = 0;
   row.external_work = grips_.work();
-  row.internal_energy = beam::strain_energy(elements_, state_);
+  row.internal_energy = beam::strain_energy(elements_, state_) + folds_.energy();
   model::NodalLoads free_loads = loads_;
   grips_.clear_loads(free_loads);  // what the fabric does to a grip does not accelerate it
   row.kinetic_energy = steps_ == 0 ? 0 : kinetic_energy(inertia_, free_loads, step_, state_);
-  row.contact_energy = contact_.energy();
+  row.contact_energy = contact_.energy() + ties_.energy();
   row.friction_loss = contact_.friction_loss();
   row.damping_loss = beam::damping_loss(work_) + mass_damping_loss_;
   row.width = width();
@@ -163,6 +168,7 @@ model::Frame ExplicitSolver::frame(int index, const model::HistoryRow& row) cons
   }
   beam::set_section_results(elements_, state_, frame);
   contact_.set_contact_results(frame);
+  ties_.set_results(contact_.centreline(), frame);
   return frame;
 }
 

@@ -3,9 +3,11 @@
 #include <optional>
 
 #include "beam/elements.h"
+#include "beam/fold_limit.h"
 #include "beam/internal_force.h"
 #include "beam/nodal_inertia.h"
 #include "contact/yarn_contact.h"
+#include "contact/yarn_ties.h"
 #include "model/frame.h"
 #include "model/model.h"
 #include "solve/grips.h"
@@ -44,6 +46,8 @@ class ExplicitSolver {
   [[nodiscard]] long crossing_checks() const { return contact_.crossing_checks(); }
   [[nodiscard]] const std::vector<contact::RavelEvent>& ravelled() const { return contact_.ravelled(); }
   [[nodiscard]] double largest_penetration() const { return largest_penetration_; }
+  /// At the last evaluation of forces [mm].
+  [[nodiscard]] double largest_tie_stretch() const { return ties_.largest_stretch(); }
   [[nodiscard]] const model::State& state() const { return state_; }
 
   /// Energies and forces at the present time; see HistoryRow. Forces of the grips are means since the call before.
@@ -61,7 +65,9 @@ class ExplicitSolver {
   beam::Elements elements_;
   beam::NodalInertia inertia_;
   beam::ElementWork work_;
+  beam::FoldLimit folds_;
   contact::YarnContact contact_;
+  contact::YarnTies ties_;
   Grips grips_;
   model::State state_;
   model::NodalLoads loads_;

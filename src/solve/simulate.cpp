@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "model/places.h"
 #include "solve/constants.h"
 #include "solve/explicit_solver.h"
 #include "solve/mass_scaling.h"
@@ -47,15 +48,6 @@ struct Failure {
   std::string reason, advice;
 };
 
-std::string place_of(const model::Model& model, std::int32_t element) {
-  for (const model::ModelYarn& yarn : model.yarns) {
-    if (element >= yarn.first_node && element < yarn.first_node + yarn.n_nodes) {
-      return fmt::format("course {}, node {} of {}", yarn.course + 1, element - yarn.first_node + 1, yarn.n_nodes);
-    }
-  }
-  return fmt::format("node {}", element + 1);
-}
-
 /// What went wrong, if anything, in the step just done.
 std::optional<Failure> failure_in_step(const model::Model& model, const ExplicitSolver& solver) {
   const bool collapsed = solver.step_length() < kStepCollapse * solver.first_step();
@@ -70,7 +62,8 @@ std::optional<Failure> failure_in_step(const model::Model& model, const Explicit
   }
   if (const auto& lost = solver.lost_crossing()) {
     return Failure{fmt::format("A yarn went through another {}: {} and {}, near ({:.3f}, {:.3f}, {:.3f}) mm.", when,
-                               place_of(model, lost->first), place_of(model, lost->second), lost->place.x,
+                               model::place_text(model, static_cast<std::size_t>(lost->first)),
+                               model::place_text(model, static_cast<std::size_t>(lost->second)), lost->place.x,
                                lost->place.y, lost->place.z),
                    "Try a larger contact.stiffness, a smaller test.speed, or less solver.mass_scaling."};
   }
@@ -133,6 +126,7 @@ class Run {
  private:
   void report(bool with_frame) {
     latest_ = solver_.history();
+    outcome_.largest_tie_stretch = std::max(outcome_.largest_tie_stretch, solver_.largest_tie_stretch());
     if (callbacks_.on_history) callbacks_.on_history(latest_);
     if (with_frame) report_frame();
   }

@@ -10,6 +10,15 @@ struct Section {
   double bending_stiffness = 0;    ///< EI [N mm^2], the same about both axes
   double torsional_stiffness = 0;  ///< GJ [N mm^2]
   double mass_per_length = 0;      ///< rho A [t/mm], not scaled
+
+  /// EA / EI, which is A / I [1/mm^2] for a beam of one material, but at most 16 / D^2, that of a solid circle. A yarn
+  /// of loose filaments bends far more easily than its outline says; the shear stiffness of its elements
+  /// (beam::compensated_shear_stiffness) must not fall with it, or its sections would turn against the yarn freely.
+  [[nodiscard]] double slenderness() const {
+    const double of_circle = 16 / (diameter * diameter);
+    const double of_stiffness = axial_stiffness / bending_stiffness;
+    return of_stiffness < of_circle ? of_stiffness : of_circle;
+  }
 };
 
 /// What a material test gives for a monofilament.

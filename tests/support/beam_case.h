@@ -22,8 +22,10 @@ inline model::Model yarns_through(const std::vector<std::vector<Eigen::Vector3d>
   model::Model model;
   model.sections = {section};
   for (const auto& polyline : polylines) {
-    model.yarns.push_back(
-        {model.n_nodes(), static_cast<int>(polyline.size()), 0, static_cast<int>(model.yarns.size())});
+    model.element_section.resize(model.nodes.size() + polyline.size(), 0);
+    model.course.resize(model.nodes.size() + polyline.size(), static_cast<int>(model.yarns.size()));
+    model.wale.resize(model.nodes.size() + polyline.size(), 0);
+    model.yarns.push_back({model.n_nodes(), static_cast<int>(polyline.size())});
     double arc = 0;
     for (std::size_t i = 0; i < polyline.size(); ++i) {
       if (i > 0) arc += (polyline[i] - polyline[i - 1]).norm();

@@ -54,8 +54,11 @@ struct Helix {
 
 /// Adds a stress-free yarn to a model. \param section index of its section
 inline void add_yarn(model::Model& model, const YarnShape& shape, int section = 0) {
-  model.yarns.push_back(
-      {model.n_nodes(), static_cast<int>(shape.places.size()), section, static_cast<int>(model.yarns.size())});
+  const std::size_t n_nodes = model.nodes.size() + shape.places.size();
+  model.element_section.resize(n_nodes, section);
+  model.course.resize(n_nodes, static_cast<int>(model.yarns.size()));
+  model.wale.resize(n_nodes, 0);
+  model.yarns.push_back({model.n_nodes(), static_cast<int>(shape.places.size())});
   for (const Place& place : shape.places) {
     model.nodes.push_back(place.position);
     model.tangents.push_back(place.tangent);

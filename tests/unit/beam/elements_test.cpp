@@ -9,12 +9,17 @@ namespace knitmech {
 namespace {
 
 TEST(Elements, GivenASlenderElement_ThenShearIsReducedAsInB31) {
-  // A / I = EA / EI = 1111: k G A' = k G A / (1 + 0.25 L0^2 A / (12 I))
-  const double axial = 20.0;
-  const double bending = 0.018;
-  EXPECT_NEAR(beam::compensated_shear_stiffness(6.0, axial, bending, 0.9),
-              6.0 / (1 + 0.25 * 0.81 * (axial / bending) / 12), 1e-14);
-  EXPECT_NEAR(beam::compensated_shear_stiffness(6.0, axial, bending, 1e-6), 6.0, 1e-9);
+  // A / I = 16 / D^2 = 1111: k G A' = k G A / (1 + 0.25 L0^2 A / (12 I))
+  const yarn::Section section = test::section(20.0, 6.0, 0.018, 0.0124, 1.3e-11, 0.12);
+  EXPECT_NEAR(beam::compensated_shear_stiffness(section, 0.9), 6.0 / (1 + 0.25 * 0.81 * (20.0 / 0.018) / 12), 1e-14);
+  EXPECT_NEAR(beam::compensated_shear_stiffness(section, 1e-6), 6.0, 1e-9);
+}
+
+TEST(Elements, GivenAYarnOfLooseFilaments_ThenItsShearFallsNoLowerThanThatOfASolidYarn) {
+  const yarn::Section solid = test::section(20.0, 6.0, 20.0 * 0.12 * 0.12 / 16, 0.0124, 1.3e-11, 0.12);
+  yarn::Section loose = solid;
+  loose.bending_stiffness = 5e-6;
+  EXPECT_NEAR(beam::compensated_shear_stiffness(loose, 0.9), beam::compensated_shear_stiffness(solid, 0.9), 1e-12);
 }
 
 TEST(Elements, GivenTwoYarns_ThenTheGapBetweenThemHasNoStiffnessAndNoMass) {

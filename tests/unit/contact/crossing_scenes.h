@@ -42,7 +42,7 @@ inline Eigen::Vector3d eigen(Vector3 v) {
 inline model::Model with_two_diameters(const std::vector<std::vector<Eigen::Vector3d>>& yarns) {
   model::Model model = test::yarns_through(yarns, test::section(1, 1, 1, 1, 1, 0.12));
   model.sections.push_back(test::section(1, 1, 1, 1, 1, 0.1));
-  model.yarns[1].section = 1;
+  std::fill(model.element_section.begin() + model.yarns[1].first_node, model.element_section.end(), 1);
   return model;
 }
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -48,7 +49,9 @@ model::Model two_kinds(model::Centreline centreline, double penetration) {
        test::straight({1, -2, above - thinner}, {1, 2, above - thinner}, 9)},
       test::section(19, 6, 0.017, 0.012, 1e-11, kDiameter[0]));
   model.sections.push_back(test::section(19, 6, 0.017, 0.012, 1e-11, kDiameter[1]));
-  model.yarns[1].section = model.yarns[3].section = 1;
+  for (const std::size_t yarn : {1U, 3U}) {
+    std::fill_n(model.element_section.begin() + model.yarns[yarn].first_node, model.yarns[yarn].n_nodes, 1);
+  }
   model.friction = kFriction[0][1];
   model.pair_friction = {{0, 0, kFriction[0][0]}, {1, 1, kFriction[1][1]}};
   model.contact_stiffness = 16;

@@ -70,7 +70,10 @@ TEST_P(AbaqusDeckOfFabric, HasEveryElementOfEveryCourseInTheOrderOfTheYarn) {
       ASSERT_THAT(element.nodes, ElementsAre(node + 1, node + 2)) << "element " << number;
       course.push_back(number);
     }
-    EXPECT_EQ(trip.deck.element_sets.at(fmt::format("COURSE_{}", yarn.course + 1)).members, course);
+    EXPECT_EQ(trip.deck.element_sets
+                  .at(fmt::format("COURSE_{}", trip.model.course[static_cast<std::size_t>(yarn.first_node)] + 1))
+                  .members,
+              course);
   }
   EXPECT_EQ(trip.deck.element_sets.at("YARNS").members.size(), trip.deck.elements.size());
 }
@@ -290,7 +293,9 @@ TEST(AbaqusDeckHeading, TakesATitleThatLooksLikeAKeyword) {
 model::Model climbing_yarn() {
   model::Model model = model::build_model(fabric_case(3, 2));
   model.nodes = {{0, 0, 0}, {1, 0, 0}, {1, 0, 1}, {2, 0, 1}};
-  model.yarns = {{0, 4, 0, 0}};
+  model.yarns = {{0, 4}};
+  model.element_section.assign(4, 0);
+  model.course.assign(4, 0);
   model.node_sets = {{model::kBottomFeet, {0}}, {model::kTopHeads, {3}}};
   return model;
 }
@@ -306,7 +311,8 @@ TEST(AbaqusDeckFirstAxis, IsAnotherForElementsAlongTheNormalOfTheFabric) {
 
 TEST(AbaqusDeckYarns, AreNamedOneByOneWhereACourseHasSeveral) {
   model::Model model = climbing_yarn();
-  model.yarns = {{0, 2, 0, 0}, {2, 2, 0, 0}};
+  model.yarns = {{0, 2}, {2, 2}};
+  model.course.assign(4, 0);
   const AbaqusDeck deck = deck_of(deck_text(model));
   EXPECT_THAT(deck.element_sets.at("YARN_1").members, ElementsAre(1));
   EXPECT_THAT(deck.element_sets.at("YARN_2").members, ElementsAre(2));
@@ -314,7 +320,9 @@ TEST(AbaqusDeckYarns, AreNamedOneByOneWhereACourseHasSeveral) {
 
 TEST(AbaqusDeckYarns, HaveTheSectionTheModelGivesThem) {
   model::Model model = climbing_yarn();
-  model.yarns = {{0, 2, 1, 0}, {2, 2, 0, 1}};
+  model.yarns = {{0, 2}, {2, 2}};
+  model.element_section = {1, 1, 0, 0};
+  model.course = {0, 0, 1, 1};
   model.sections.push_back(model.sections.front());
   model.sections.back().diameter = 0.2;
   const AbaqusDeck deck = deck_of(deck_text(model));

@@ -49,8 +49,9 @@ TEST(BuildModel, YarnsAreConsecutiveNodesFromTheLowestCourseUp) {
     const ModelYarn& yarn = model.yarns[i];
     EXPECT_EQ(yarn.first_node, static_cast<int>(i) * 181);
     EXPECT_EQ(yarn.n_nodes, 181);
-    EXPECT_EQ(yarn.course, static_cast<int>(i));
-    EXPECT_EQ(yarn.section, 0);
+    const auto first = static_cast<std::size_t>(yarn.first_node);
+    EXPECT_EQ(model.course[first], static_cast<int>(i));
+    EXPECT_EQ(model.element_section[first], 0);
     EXPECT_EQ(model.arc_length[static_cast<std::size_t>(yarn.first_node)], 0);
     EXPECT_NEAR(model.nodes[static_cast<std::size_t>(yarn.first_node)].y(), -3.5 + 5.0 * static_cast<double>(i), 1e-12);
   }

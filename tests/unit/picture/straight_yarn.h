@@ -9,7 +9,10 @@ namespace knitmech::test {
 inline model::Model straight_yarn() {
   model::Model model;
   model.sections = {yarn::Section{.diameter = 1.0}};
-  model.yarns = {{.first_node = 0, .n_nodes = 11, .section = 0, .course = 0}};
+  model.yarns = {{.first_node = 0, .n_nodes = 11}};
+  model.element_section.assign(11, 0);
+  model.course.assign(11, 0);
+  model.wale.assign(11, 0);
   for (int i = 0; i <= 10; ++i) {
     model.nodes.emplace_back(0, 2.0 * i, 0);
     model.tangents.emplace_back(0, 1, 0);

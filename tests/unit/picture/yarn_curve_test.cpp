@@ -23,6 +23,7 @@ struct QuarterCircle {
     const double length = std::numbers::pi / 2;
     model.sections = {yarn::Section{.diameter = 0.1}};
     model.yarns = {{.first_node = 0, .n_nodes = 2}};
+    model.element_section = {0, 0};
     model.nodes = {Vector3d::Zero(), Vector3d(length, 0, 0)};
     model.tangents = {Vector3d::UnitX(), Vector3d::UnitX()};
     model.arc_length = {0, length};

@@ -96,8 +96,8 @@ class ContactFile : public testing::Test {
 TEST_F(ContactFile, ATableLineSaysWhereTwoYarnsTouchAndHow) {
   // Given one contact of the yarns of course 4 and course 5 at a right angle, and one of yarn 0 with itself that slips.
   model::Model model = test::two_yarn_model();
-  model.yarns[0].course = 4;
-  model.yarns[1].course = 5;
+  std::fill(model.course.begin(), model.course.begin() + 3, 4);
+  std::fill(model.course.begin() + 3, model.course.end(), 5);
   model::Frame frame;
   frame.contacts = {{.first_yarn = 0,
                      .second_yarn = 1,

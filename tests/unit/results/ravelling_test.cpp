@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -10,8 +11,8 @@
 namespace knitmech::results {
 namespace {
 
-/// Three yarns of five nodes, courses 0 to 2, along x; stitches of 4 mm of yarn. The yarn of course 1 runs from right
-/// to left.
+/// Three yarns of 17 nodes, courses 0 to 2, along x; stitches of 4 mm of yarn, a node on every millimetre. The yarn of
+/// course 1 runs from right to left.
 model::Model three_courses() {
   model::Model model;
   model.title = "three courses";
@@ -19,11 +20,15 @@ model::Model three_courses() {
   model.half_stitch_length = 2;
   model.test.gauge_length = 10;
   for (int course = 0; course < 3; ++course) {
-    model.yarns.push_back({.first_node = model.n_nodes(), .n_nodes = 5, .section = 0, .course = course});
-    for (int i = 0; i < 5; ++i) {
-      model.nodes.emplace_back(course == 1 ? 8 - 2 * i : 2 * i, course, 0);
+    model.yarns.push_back({.first_node = model.n_nodes(), .n_nodes = 17});
+    for (int i = 0; i < 17; ++i) {
+      const int from_left = course == 1 ? 16 - i : i;
+      model.nodes.emplace_back(0.5 * from_left, course, 0);
       model.tangents.emplace_back(course == 1 ? -1 : 1, 0, 0);
-      model.arc_length.push_back(4.0 * i);
+      model.arc_length.push_back(i);
+      model.element_section.push_back(0);
+      model.course.push_back(course);
+      model.wale.push_back(std::max(0, (from_left - 1) / 4));
     }
   }
   return model;
@@ -47,7 +52,7 @@ TEST(Ravelling, CoursesAndWalesCountFromOne) {
 TEST(Ravelling, AWaleIsAStitchOfYarn) {
   const model::Model model = three_courses();
   model::Ravelling event = kEvent;
-  for (const auto& [place, wale] : {std::pair{0.0, 1}, {3.9, 1}, {4.1, 2}, {7.9, 2}, {8.1, 3}, {15.9, 4}}) {
+  for (const auto& [place, wale] : {std::pair{0.0, 1}, {3.4, 1}, {4.6, 2}, {7.4, 2}, {8.6, 3}, {15.4, 4}}) {
     event.other_place = place;
     EXPECT_EQ(place_of(model, event).other_wale, wale) << place << " mm";
   }

@@ -30,8 +30,10 @@ model::Model two_yarn_model() {
   model::Model model;
   model.title = "two yarns";
   model.sections = {yarn::Section{.diameter = 0.12}, yarn::Section{.diameter = 0.2}};
-  model.yarns = {{.first_node = 0, .n_nodes = 3, .section = 0, .course = 0},
-                 {.first_node = 3, .n_nodes = 4, .section = 1, .course = 1}};
+  model.yarns = {{.first_node = 0, .n_nodes = 3}, {.first_node = 3, .n_nodes = 4}};
+  model.element_section = {0, 0, 0, 1, 1, 1, 1};
+  model.course = {0, 0, 0, 1, 1, 1, 1};
+  model.wale = {0, 0, 1, 0, 0, 1, 1};
   for (int i = 0; i < 7; ++i) {
     model.nodes.emplace_back(0.1 * i, 1.0 / 3.0 * i, std::sqrt(2.0) * i);
     model.tangents.emplace_back(Eigen::Vector3d::UnitX());

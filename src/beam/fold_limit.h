@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "beam/elements.h"
+#include "model/model.h"
+#include "model/state.h"
+
+namespace knitmech::beam {
+
+/// Keeps the elements of soft yarns from folding over.
+///
+/// A yarn of loose filaments under tension makes hairpins tighter than it is thick, within one element. There a real
+/// yarn lies on itself and goes no further; contact cannot see that between neighbouring elements, and the element,
+/// which all but lacks bending stiffness, would turn on towards 360 degrees, where it has no mid frame. So a relative
+/// rotation theta of the two nodes beyond kFold is resisted by
+///
+///     W = k / 2 (|theta| - kFold)^2,   k = EA L0 / 64,
+///
+/// which is stiff beside the yarn's bending and never rules the time step (NodalInertia). Only yarns that bend more
+/// easily than a solid one of their diameter and EA have it.
+class FoldLimit {
+ public:
+  static constexpr double kFold = 2.618;  ///< [rad], 150 degrees
+
+  FoldLimit(const model::Model& model, const Elements& elements);
+
+  /// Adds the moments on the nodes.
+  void add_moments(const model::State& state, model::NodalLoads& loads);
+  /// At the last call of add_moments [mJ].
+  [[nodiscard]] double energy() const { return energy_; }
+
+ private:
+  struct SoftElement {
+    std::size_t node;
+    double stiffness;  ///< k [N mm]
+  };
+  std::vector<SoftElement> soft_;
+  double energy_ = 0;
+};
+
+}  // namespace knitmech::beam
