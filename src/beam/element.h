@@ -95,11 +95,16 @@ KNITMECH_INLINE ElementState element_state(const ElementProperties& element, Vec
   return state;
 }
 
-/// Strain energy W = L0 / 2 (EA epsilon^2 + k G A' gamma . gamma) + theta . M / 2 [mJ].
-KNITMECH_INLINE double strain_energy(const ElementProperties& element, const ElementState& state) {
+/// Energy of stretch and shear, L0 / 2 (EA epsilon^2 + k G A' gamma . gamma) [mJ].
+KNITMECH_INLINE double stretch_energy(const ElementProperties& element, const ElementState& state) {
   const double stretch = element.axial * state.axial_strain * state.axial_strain;
   const double shear = element.shear * dot(state.shear_strain, state.shear_strain);
-  return 0.5 * ((stretch + shear) / element.inverse_length + dot(state.rotation, state.moment));
+  return 0.5 * (stretch + shear) / element.inverse_length;
+}
+
+/// Strain energy W = L0 / 2 (EA epsilon^2 + k G A' gamma . gamma) + theta . M / 2 [mJ].
+KNITMECH_INLINE double strain_energy(const ElementProperties& element, const ElementState& state) {
+  return stretch_energy(element, state) + 0.5 * dot(state.rotation, state.moment);
 }
 
 /// Force on node a (node b gets the opposite) and moments on both nodes, in space.

@@ -53,7 +53,11 @@ struct Frame {
   std::vector<double> shear_force;             ///< [N], element, magnitude
   std::vector<double> bending_moment;          ///< [N mm], element, magnitude
   std::vector<double> torque;                  ///< [N mm], element, signed
+  std::vector<double> axial_strain;            ///< [-], element, stretch positive
   std::vector<double> curvature;               ///< [1/mm], element, change since the stress-free shape, magnitude
+  std::vector<double> stretch_energy;          ///< [mJ], element, of axial strain and shear
+  std::vector<double> bending_energy;          ///< [mJ], element
+  std::vector<double> twist_energy;            ///< [mJ], element
   std::vector<Eigen::Vector3d> contact_force;  ///< [N], node
   std::vector<Eigen::Vector3d> tie_force;      ///< [N], node, by ties to other yarns
   std::vector<double> gap;  ///< [mm], node, least gap to another piece of yarn; +infinity where none is near

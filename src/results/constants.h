@@ -23,6 +23,10 @@ inline constexpr double kWindow = 0.01;
 /// start of the test unjudged.
 inline constexpr double kToeWorkShare = 0.1;
 
+/// Turn over an element below which it is straight in plan [rad]; usual 1e-6, far above rounding and far below any arc.
+/// It tells the leg of a loop from its arcs.
+inline constexpr double kStraightLeg = 1e-6;
+
 /// Real time between two rewrites of history.csv [s]; usual 1. A killed run loses at most the rows of this time.
 inline constexpr double kHistoryRewriteInterval = 1.0;
 

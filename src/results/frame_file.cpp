@@ -45,11 +45,11 @@ struct NamedElementValues {
 };
 
 std::vector<NamedElementValues> element_fields(const Frame& frame) {
-  return {{"axial_force_N", frame.axial_force},
-          {"shear_force_N", frame.shear_force},
-          {"bending_moment_Nmm", frame.bending_moment},
-          {"torque_Nmm", frame.torque},
-          {"curvature_per_mm", frame.curvature}};
+  return {{"axial_force_N", frame.axial_force},         {"shear_force_N", frame.shear_force},
+          {"bending_moment_Nmm", frame.bending_moment}, {"torque_Nmm", frame.torque},
+          {"axial_strain", frame.axial_strain},         {"curvature_per_mm", frame.curvature},
+          {"stretch_energy_mJ", frame.stretch_energy},  {"bending_energy_mJ", frame.bending_energy},
+          {"twist_energy_mJ", frame.twist_energy}};
 }
 
 std::string field_arrays(const Model& model, const Frame& frame) {

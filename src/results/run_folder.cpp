@@ -139,6 +139,7 @@ void RunFolder::add_frame(const model::Frame& frame) {
   write_file_atomically(folder / contact_points_file_name(frame.index), contact_points_text(model_, frame));
   frames_.push_back({frame.index, frame.history.strain});
   contacts_ = summarise_contacts(model_, frame.contacts);
+  update(peaks_, frame);
   write_collections();
   write_history();
 }
@@ -160,7 +161,7 @@ void RunFolder::finish(const model::RunOutcome& outcome) {
   const double diameter = model_.sections.empty() ? 0.0 : model_.sections.front().diameter;
   const Quality quality = assess_quality(history_, outcome, diameter);
   write_file_atomically(dir_ / kSummaryFile, finished_summary(model_, history_, static_cast<int>(frames_.size()),
-                                                              contacts_, outcome, quality));
+                                                              contacts_, peaks_, outcome, quality));
 }
 
 void RunFolder::write_collections() const {

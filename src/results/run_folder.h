@@ -11,6 +11,7 @@
 #include "model/run_outcome.h"
 #include "results/collection_file.h"
 #include "results/contact_summary.h"
+#include "results/section_peaks.h"
 
 namespace knitmech::results {
 
@@ -43,8 +44,8 @@ class RunFolder {
   /// Appends a line to log.txt.
   void log(const std::string& line);
 
-  /// Writes the whole history and the summary with the contacts of the last frame and its quality block
-  /// (assess_quality()).
+  /// Writes the whole history and the summary with the contacts of the last frame, the largest section results of all
+  /// frames and the quality block (assess_quality()).
   void finish(const model::RunOutcome& outcome);
 
   [[nodiscard]] const std::filesystem::path& path() const { return dir_; }
@@ -60,6 +61,7 @@ class RunFolder {
   std::string history_text_;
   std::vector<FrameEntry> frames_;
   std::optional<ContactSummary> contacts_;  ///< of the last frame
+  SectionPeaks peaks_;                      ///< of all frames
   std::chrono::steady_clock::time_point history_written_;
 };
 

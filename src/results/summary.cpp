@@ -6,6 +6,7 @@
 
 #include "results/atomic_file.h"
 #include "results/ravelling.h"
+#include "results/yarn_place.h"
 
 namespace knitmech::results {
 namespace {
@@ -113,6 +114,25 @@ Json largest_block(const std::vector<HistoryRow>& history, const RunOutcome& out
           {"penetration_mm", number(outcome.largest_penetration)}};
 }
 
+Json peaks_block(const Model& model, const SectionPeaks& peaks) {
+  Json block;
+  for (std::size_t k = 0; k < peaks.size(); ++k) {
+    const std::optional<SectionPeak>& peak = peaks[k];
+    block[kPeakFields[k].key] = nullptr;
+    if (!peak) continue;
+    const YarnPlace place = place_of_element(model, peak->element);
+    block[kPeakFields[k].key] = {{"value", number(peak->value)},
+                                 {"frame", peak->frame},
+                                 {"strain", number(peak->strain)},
+                                 {"yarn", place.yarn},
+                                 {"course", place.course},
+                                 {"wale", place.wale},
+                                 {"part", place.part},
+                                 {"place_mm", number(place.arc_length)}};
+  }
+  return block;
+}
+
 Json quality_block(const Quality& quality) {
   return {{"quasi_static", quality.quasi_static},
           {"verdict", quality.verdict},
@@ -156,8 +176,8 @@ std::string running_summary(const Model& model) {
 }
 
 std::string finished_summary(const Model& model, const std::vector<HistoryRow>& history, int n_frames,
-                             const std::optional<ContactSummary>& contacts, const RunOutcome& outcome,
-                             const Quality& quality) {
+                             const std::optional<ContactSummary>& contacts, const SectionPeaks& peaks,
+                             const RunOutcome& outcome, const Quality& quality) {
   Json document = head(model, status_name(outcome.status));
   document["reason"] = outcome.reason;
   document["advice"] = outcome.advice;
@@ -167,6 +187,7 @@ std::string finished_summary(const Model& model, const std::vector<HistoryRow>& 
   document["final"] = final_block(history, outcome);
   document["contact"] = contact_block(contacts);
   document["largest"] = largest_block(history, outcome);
+  document["largest_in_yarns"] = peaks_block(model, peaks);
   document["quality"] = quality_block(quality);
   document["ravelled"] = ravelled_block(model, outcome);
   return text_of(document);

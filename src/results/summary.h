@@ -10,6 +10,7 @@
 #include "model/run_outcome.h"
 #include "results/contact_summary.h"
 #include "results/quality.h"
+#include "results/section_peaks.h"
 
 namespace knitmech::results {
 
@@ -21,11 +22,12 @@ inline constexpr int kSummarySchema = 1;
 [[nodiscard]] std::string running_summary(const model::Model& model);
 
 /// The content of summary.json of a finished run (docs/results.md); contacts are those of the last frame, empty if
-/// there is none. Numbers that are not finite or do not exist are null. Text that is not valid UTF-8 is written with
-/// replacement characters.
+/// there is none, peaks those of all frames. Numbers that are not finite or do not exist are null. Text that is not
+/// valid UTF-8 is written with replacement characters.
 [[nodiscard]] std::string finished_summary(const model::Model& model, const std::vector<model::HistoryRow>& history,
                                            int n_frames, const std::optional<ContactSummary>& contacts,
-                                           const model::RunOutcome& outcome, const Quality& quality);
+                                           const SectionPeaks& peaks, const model::RunOutcome& outcome,
+                                           const Quality& quality);
 
 /// Whether a file is the summary.json of a KnitMech run; false also if it does not exist or is no JSON.
 [[nodiscard]] bool is_summary(const std::filesystem::path& path);

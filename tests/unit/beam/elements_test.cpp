@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "../../support/beam_case.h"
+#include "beam/internal_force.h"
 #include "beam/section_results.h"
 
 namespace knitmech {
@@ -56,6 +57,37 @@ TEST(SectionResults, GivenAPureStretchABendAndATwist_ThenEachShowsInItsOwnField)
   EXPECT_NEAR(frame.torque[2], GJ * 0.3 / length, 1e-12);
   EXPECT_NEAR(frame.curvature[2], 0.0, 1e-12);
   EXPECT_EQ(frame.axial_force[3], 0.0);
+
+  EXPECT_NEAR(frame.axial_strain[0], 0.01, 1e-14);
+  EXPECT_NEAR(frame.stretch_energy[0], 0.5 * EA * 0.01 * 0.01 * length, 1e-14);
+  EXPECT_NEAR(frame.bending_energy[1], 0.5 * EI * 0.2 * 0.2 / length, 1e-14);
+  EXPECT_NEAR(frame.twist_energy[2], 0.5 * GJ * 0.3 * 0.3 / length, 1e-14);
+  EXPECT_NEAR(frame.twist_energy[1], 0.0, 1e-16);
+  EXPECT_NEAR(frame.bending_energy[2], 0.0, 1e-16);
+}
+
+TEST(SectionResults, GivenAnyState_ThenTheEnergiesOfStretchBendingAndTwistAddUpToTheStrainEnergy) {
+  const model::Model model =
+      test::yarns_through({{{0, 0, 0}, {0.8, 0.3, 0.1}, {1.4, -0.2, 0.5}}, {{0, 3, 0}, {1, 3.2, 0}, {2, 3, 0.4}}},
+                          test::section(19.0, 6.1, 0.0173, 0.0124, 1.3e-11));
+  const beam::Elements elements = beam::make_elements(model, 1.0, 0.0);
+  model::State state = test::state_of(model);
+  for (std::size_t i = 0; i < 6; ++i) {
+    const double s = static_cast<double>(i);
+    state.position.add(i, {0.1 * std::sin(s), 0.05 * s, -0.1 * std::cos(2 * s)});
+    test::set_rotation(state, i, test::turn({0.4 * std::cos(s), 0.3 * s, -0.5 * std::sin(3 * s)}));
+  }
+  model::Frame frame;
+  beam::set_section_results(elements, state, frame);
+  double sum = 0;
+  for (const auto* energies : {&frame.stretch_energy, &frame.bending_energy, &frame.twist_energy}) {
+    for (const double energy : *energies) {
+      EXPECT_GE(energy, 0.0);
+      sum += energy;
+    }
+  }
+  EXPECT_GT(sum, 1e-3);
+  EXPECT_NEAR(sum, beam::strain_energy(elements, state), 1e-13 * sum);
 }
 
 }  // namespace

@@ -29,7 +29,8 @@ inline model::Frame undeformed(const model::Model& model) {
   frame.contact_force.assign(count, Eigen::Vector3d::Zero());
   frame.gap.assign(count, 1.0);
   for (auto* values :
-       {&frame.axial_force, &frame.shear_force, &frame.bending_moment, &frame.torque, &frame.curvature}) {
+       {&frame.axial_force, &frame.shear_force, &frame.bending_moment, &frame.torque, &frame.axial_strain,
+        &frame.curvature, &frame.stretch_energy, &frame.bending_energy, &frame.twist_energy}) {
     values->assign(count, 0.0);
   }
   return frame;

@@ -83,11 +83,11 @@ TEST_F(FrameFile, GivesBackEveryNumberOfTheNodesBitByBit) {
 
 TEST_F(FrameFile, GivesBackEveryElementValueInTheFieldDataAndItsMeanAtTheNodes) {
   const std::vector<std::pair<std::string, const std::vector<double>*>> fields{
-      {"axial_force_N", &frame_.axial_force},
-      {"shear_force_N", &frame_.shear_force},
-      {"bending_moment_Nmm", &frame_.bending_moment},
-      {"torque_Nmm", &frame_.torque},
-      {"curvature_per_mm", &frame_.curvature}};
+      {"axial_force_N", &frame_.axial_force},         {"shear_force_N", &frame_.shear_force},
+      {"bending_moment_Nmm", &frame_.bending_moment}, {"torque_Nmm", &frame_.torque},
+      {"axial_strain", &frame_.axial_strain},         {"curvature_per_mm", &frame_.curvature},
+      {"stretch_energy_mJ", &frame_.stretch_energy},  {"bending_energy_mJ", &frame_.bending_energy},
+      {"twist_energy_mJ", &frame_.twist_energy}};
   for (const auto& [name, values] : fields) {
     const std::vector<double>& v = *values;
     expect_same("FieldData/element_" + name, {v[0], v[1], v[3], v[4], v[5]});

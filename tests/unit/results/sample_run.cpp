@@ -67,7 +67,8 @@ model::Frame awkward_frame(const model::Model& model, int index) {
     frame.contact_force.push_back(vector());
     frame.gap.push_back(i == 2 ? std::numeric_limits<double>::infinity() : number());
     for (auto* values :
-         {&frame.axial_force, &frame.shear_force, &frame.bending_moment, &frame.torque, &frame.curvature}) {
+         {&frame.axial_force, &frame.shear_force, &frame.bending_moment, &frame.torque, &frame.axial_strain,
+          &frame.curvature, &frame.stretch_energy, &frame.bending_energy, &frame.twist_energy}) {
       const bool last_of_yarn = i == 2 || i == 6;
       values->push_back(last_of_yarn ? 0.0 : number());
     }
