@@ -1,10 +1,12 @@
-// Beams in motion without contact: energy and the stable step.
+// Beams in motion without contact: energy, the stable step, and what a rigid motion must not change.
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "../support/beam_case.h"
+#include "../support/monofilament.h"
 #include "../support/verification.h"
 #include "beam/internal_force.h"
 #include "beam/nodal_inertia.h"
@@ -14,8 +16,7 @@ namespace knitmech {
 namespace {
 
 struct FreeBeam {
-  model::Model model = test::yarns_through({test::straight({0, 0, 0}, {10, 0, 0}, 20)},
-                                           test::section(19.2265, 6.17, 0.0173039, 0.0124488, 1.29e-11));
+  model::Model model = test::yarns_through({test::straight({0, 0, 0}, {10, 0, 0}, 20)}, test::monofilament());
   beam::Elements elements = beam::make_elements(model, 1.0, 0.0);
   beam::NodalInertia inertia = beam::lump_inertia(elements, 1.0);
   model::State state = test::state_of(model);
@@ -31,6 +32,27 @@ struct FreeBeam {
   [[nodiscard]] double energy() {
     beam::set_internal_force(elements, state, 0.0, work, loads);
     return beam::strain_energy(elements, state) + solve::kinetic_energy(inertia, loads, {step, step}, state);
+  }
+};
+
+/// A yarn that is bent, twisted and stretched unevenly.
+struct BentYarn {
+  model::Model model = test::yarns_through({test::straight({0, 0, 0}, {4, 0, 0}, 20)}, test::monofilament());
+  beam::Elements elements = beam::make_elements(model, 1.0, 0.0);
+  model::State state = test::state_of(model);
+
+  BentYarn() {
+    for (std::size_t i = 0; i < model.nodes.size(); ++i) {
+      const double s = model.nodes[i].x();
+      state.position.set(i, {std::sin(s) + 0.01 * s, 1 - std::cos(s), 0.02 * std::sin(3 * s)});
+      test::set_rotation(state, i, test::turn({0, 0, s}) * test::turn({0.3 * s * s, 0.02 * std::cos(s), 0}));
+    }
+  }
+  [[nodiscard]] model::NodalLoads loads(const model::State& at) const {
+    model::NodalLoads loads(model.nodes.size());
+    beam::ElementWork work(model.nodes.size());
+    beam::set_internal_force(elements, at, 0.0, work, loads);
+    return loads;
   }
 };
 
@@ -90,32 +112,113 @@ TEST(StableStep, GivenAStepBelowAndOneAboveTheLimit_ThenTheFirstStaysCalmAndTheS
   }
 }
 
-TEST(Vibration, GivenAYarnHeldAtOneEnd_ThenItsLowestAxialPeriodIsFourCrossingsOfTheWave) {
-  FreeBeam beam(0.5);
-  const std::size_t tip = beam.model.nodes.size() - 1;
-  for (std::size_t i = 0; i <= tip; ++i) {
-    beam.state.velocity.x[i] = std::sin(std::acos(-1.0) / 2 * static_cast<double>(i) / static_cast<double>(tip));
+/// A yarn and its section for the largest step that keeps it calm.
+struct StepCase {
+  const char* of;
+  std::vector<Eigen::Vector3d> nodes;
+  yarn::Section section;
+};
+
+/// Nodes on a helix of the given radius and pitch [mm], along the given length.
+std::vector<Eigen::Vector3d> coil(double radius, double pitch, double element_length, int n_elements) {
+  const double turn = element_length / std::hypot(radius, pitch / (2 * std::numbers::pi));
+  std::vector<Eigen::Vector3d> nodes;
+  for (int i = 0; i <= n_elements; ++i) {
+    nodes.emplace_back(radius * std::cos(i * turn), radius * std::sin(i * turn),
+                       pitch * i * turn / (2 * std::numbers::pi));
   }
-  // From rest length with this velocity, the tip comes back through zero after half a period: 2 L / c.
-  const double expected = 2 * 10 / std::sqrt(19.2265 / 1.29e-11);
-  double before = 0;
-  double crossing = 0;
-  for (int i = 0; i < 100000 && crossing == 0; ++i) {
-    beam::set_internal_force(beam.elements, beam.state, beam.step, beam.work, beam.loads);
-    beam.loads.force.set(0, {0, 0, 0});
-    beam.loads.moment.set(0, {0, 0, 0});
-    solve::integrate(beam.inertia, beam.loads, {beam.step, beam.step}, 0.0, beam.state);
-    const double moved = beam.state.position.x[tip] - 10;
-    if (before > 0 && moved <= 0) crossing = beam.state.time + beam.step * moved / (before - moved);
-    before = moved;
+  return nodes;
+}
+
+/// Whether the smallest vibrations, in every direction and rotation, stay small.
+bool stays_calm(const model::Model& model, const beam::Elements& elements, const beam::NodalInertia& inertia,
+                double step) {
+  model::State state = test::state_of(model);
+  const std::size_t n = model.nodes.size();
+  beam::ElementWork work(n);
+  model::NodalLoads loads(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto sign = [&](int k) { return std::sin(12.9898 * static_cast<double>(i) + 78.233 * k); };
+    state.velocity.set(i, {1e-6 * sign(0), 1e-6 * sign(1), 1e-6 * sign(2)});
+    state.angular_velocity.set(i, {1e-6 * sign(3), 1e-6 * sign(4), 1e-6 * sign(5)});
   }
-  test::verify({.chapter = "vibration",
-                .of = "20 elements",
-                .quantity = "half the lowest axial period [us]",
-                .source = "2 L / c",
-                .reference = 1e6 * expected,
-                .computed = 1e6 * crossing,
-                .tolerance = 0.002});
+  for (int i = 0; i < 4000; ++i) {
+    beam::set_internal_force(elements, state, step, work, loads);
+    solve::integrate(inertia, loads, {step, step}, 0.0, state);
+  }
+  return solve::largest_speed_squared(state) < 1e-6;  // not if it is not a number
+}
+
+TEST(StableStep, GivenSeveralSectionsAndShapes_ThenThePredictedStepIsBelowTheMeasuredLimitAndNotFar) {
+  const yarn::Section soft = test::section(0.5, 0.16, 5e-6, 5e-6, test::kMassPerLength);
+  const yarn::Section ruled_by_shear = test::section(1.0, 6.0, 1.0, 1.0, test::kMassPerLength);
+  for (const StepCase& at :
+       {StepCase{"straight, elements of 4 diameters", test::straight({0, 0, 0}, {9.6, 0, 0}, 20), test::monofilament()},
+        StepCase{"straight, elements of 0.4 diameters", test::straight({0, 0, 0}, {0.96, 0, 0}, 20),
+                 test::monofilament()},
+        StepCase{"coil of radius 1.1 mm, elements of 7 diameters", coil(1.1, 2, 0.84, 20), test::monofilament()},
+        StepCase{"soft multifilament (EI = 5e-6 N mm^2), coil", coil(1.1, 2, 0.84, 20), soft},
+        StepCase{"shear stiffer than stretch", test::straight({0, 0, 0}, {10, 0, 0}, 20), ruled_by_shear}}) {
+    const model::Model model = test::yarns_through({at.nodes}, at.section);
+    const beam::Elements elements = beam::make_elements(model, 1.0, 0.0);
+    const beam::NodalInertia inertia = beam::lump_inertia(elements, 1.0);
+    const double predicted = 2 / std::sqrt(inertia.highest_frequency_squared);
+    double calm = 0.9 * predicted;
+    double wild = 4 * predicted;
+    ASSERT_TRUE(stays_calm(model, elements, inertia, calm));
+    ASSERT_FALSE(stays_calm(model, elements, inertia, wild));
+    for (int i = 0; i < 14; ++i) {
+      const double middle = 0.5 * (calm + wild);
+      (stays_calm(model, elements, inertia, middle) ? calm : wild) = middle;
+    }
+    EXPECT_LE(predicted, 1.0005 * calm) << at.of;
+    test::verify({.chapter = "stable step",
+                  .of = at.of,
+                  .quantity = "stable step [us]",
+                  .source = "measured: the largest calm one",
+                  .reference = 1e6 * calm,
+                  .computed = 1e6 * predicted,
+                  .tolerance = 0.35,
+                  .remark = "not above the measured one, which is found to 0.02 %"});
+  }
+}
+
+/// Largest deviation of the loads of a turned yarn from the turned loads, over the largest load.
+double change_by_turning(const BentYarn& yarn, const Eigen::Quaterniond& turn, const Eigen::Vector3d& shift) {
+  const model::NodalLoads before = yarn.loads(yarn.state);
+  model::State state = yarn.state;
+  for (std::size_t i = 0; i < state.position.size(); ++i) {
+    const Eigen::Vector3d moved = turn * test::vector_at(yarn.state.position, i) + shift;
+    state.position.set(i, {moved.x(), moved.y(), moved.z()});
+    test::set_rotation(state, i, turn * test::rotation_of(yarn.state, i));
+  }
+  const model::NodalLoads after = yarn.loads(state);
+  double change = 0, largest = 0;
+  for (const auto field : {&model::NodalLoads::force, &model::NodalLoads::moment}) {
+    for (std::size_t i = 0; i < state.position.size(); ++i) {
+      const Eigen::Vector3d load = test::vector_at(before.*field, i);
+      change = std::max(change, (test::vector_at(after.*field, i) - turn * load).norm());
+      largest = std::max(largest, load.norm());
+    }
+  }
+  return change / largest;
+}
+
+TEST(Objectivity, GivenABentTwistedAndStretchedYarn_ThenItsLoadsTurnWithItAndChangeByRoundingAlone) {
+  const BentYarn yarn;
+  double largest = 0;
+  for (int i = 1; i <= 1000; ++i) {
+    const Eigen::Vector3d axis(std::sin(1.3 * i), std::cos(2.1 * i), std::sin(0.7 * i + 1));
+    const Eigen::Vector3d shift(std::cos(3.1 * i), std::sin(1.7 * i), 0);
+    largest = std::max(largest, change_by_turning(yarn, test::turn(std::numbers::pi * axis), shift));
+  }
+  test::verify({.chapter = "objectivity",
+                .of = "1000 rotations of up to 360 degrees",
+                .quantity = "largest change of the turned loads over the largest load [-]",
+                .source = "none but rounding",
+                .computed = largest,
+                .tolerance = 1e-11,
+                .scale = 1});
 }
 
 }  // namespace
