@@ -166,7 +166,7 @@ TEST(Helix, GivenACoupleAtTheTip_ThenRadiusAndPitchAreThoseOfAHelixWhateverTheTo
     const beam::Elements elements = beam::make_elements(model, 1.0, 0.0);
     const test::Freedom freedom = test::Freedom::without(model.nodes.size(), {0, 1, 2, 3, 4, 5});
     model::State state = test::state_of(model);
-    Eigen::VectorXd external = Eigen::VectorXd::Zero(6 * (n + 1));
+    Eigen::VectorXd external = Eigen::VectorXd::Zero(freedom.matrix.rows());
     external.tail<3>() = couple * axis;
     const double rate = couple / test::kBending;
     const double spin = couple * std::cos(angle) * (1 / model.sections[0].torsional_stiffness - 1 / test::kBending);

@@ -52,11 +52,12 @@ std::vector<Eigen::Index> all_of(Eigen::Index node) {
 
 /// Euler's column: the thrust at which the lowest frequency about the compressed straight state is zero. The thrust is
 /// a dead load and has no stiffness of its own.
-double buckling_thrust(std::vector<Eigen::Index> held_at_start, std::vector<Eigen::Index> held_at_end, double guess) {
+/// \param held degrees of freedom of the first node   \param held_at_end axes of the last one
+double buckling_thrust(std::vector<Eigen::Index> held, const std::vector<Eigen::Index>& held_at_end, double guess) {
   const int n = 40;
+  const Eigen::Index end = n;
   Column column(n);
-  std::vector<Eigen::Index> held = std::move(held_at_start);
-  for (const Eigen::Index axis : held_at_end) held.push_back(6 * n + axis);
+  for (const Eigen::Index axis : held_at_end) held.push_back(6 * end + axis);
   const test::Freedom freedom = test::Freedom::without(n + 1, held);
   const auto lowest = [&](double thrust) {
     for (std::size_t i = 0; i <= n; ++i)

@@ -81,9 +81,9 @@ class PlaceOfElement : public testing::Test {
 
   /// The element at a share of the way through a wale of the upper course, 0 and 1 at the feet and 0.5 at the head.
   [[nodiscard]] YarnPlace at(int wale, double share) const {
-    const double n = 2 * 20;
-    return place_of_element(
-        model_, static_cast<std::size_t>(model_.yarns[1].first_node + static_cast<int>(n * (wale + share))));
+    const int from_left = static_cast<int>(2 * 20 * (wale + share));
+    return place_of_element(model_,
+                            static_cast<std::size_t>(model_.yarns[1].first_node) + static_cast<std::size_t>(from_left));
   }
 };
 
