@@ -8,9 +8,10 @@ namespace knitmech::yarn {
 ///   A = pi D^2 / 4,  I = pi D^4 / 64,  J = 2 I,  G = E / (2 (1 + nu)),  k = 6 (1 + nu) / (7 + 6 nu).
 ///
 /// D = 0.12 mm, E = 1700 MPa, nu = 0.39 give EA = 19.2265 N, EI = 0.0173039 N mm^2, GJ = 0.0124488 N mm^2.
-/// Throws InputError unless D, E and rho are positive and -1 < nu <= 0.5.
-/// Source of k: G. R. Cowper, The shear coefficient in Timoshenko's beam theory, J. Appl. Mech. 33 (1966),
-/// doi:10.1115/1.3625046.
+/// A measured G takes the place of E / (2 (1 + nu)); the nu in k is then the one that E and G imply, moved into 0 to
+/// 0.5 where they imply one outside (k lies between 0.857 and 0.9 in any case). Throws InputError unless D, E, rho and
+/// a given G are positive and, without G, -1 < nu <= 0.5. Source of k: G. R. Cowper, The shear coefficient in
+/// Timoshenko's beam theory, J. Appl. Mech. 33 (1966), doi:10.1115/1.3625046.
 [[nodiscard]] Section section_of(const Monofilament& monofilament);
 
 /// A yarn whose stiffness is given outright, as from bending and torsion tests.

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 namespace knitmech::yarn {
 
 /// Stiffness and mass of a yarn with a circular (isotropic) section, per unit of its length.
@@ -27,6 +29,17 @@ struct Monofilament {
   double youngs_modulus = 0;  ///< E [MPa]
   double poissons_ratio = 0;  ///< nu [-]
   double density = 0;         ///< rho [t/mm^3]
+  /// G [MPa], if it was measured. It takes the place of nu, which is then not looked at: drawn filaments are stiffer
+  /// along their chains than isotropic theory, G = E / (2 (1 + nu)), would have it.
+  std::optional<double> shear_modulus{};
+};
+
+/// A yarn of equal filaments twisted together.
+struct Multifilament {
+  int filaments = 0;      ///< n, how many
+  Monofilament filament;  ///< one of them: its own diameter d_f, moduli and density
+  double diameter = 0;    ///< D [mm], of the whole yarn
+  double twist = 0;       ///< t [1/mm], turns per length of the yarn; its sense does not matter
 };
 
 }  // namespace knitmech::yarn

@@ -37,6 +37,26 @@ TEST(Monofilament, ShearStiffnessHasCowpersFactor) {
   EXPECT_NEAR(section.shear_stiffness, circle_shear_factor(0.39) * section.axial_stiffness / (2 * 1.39), 1e-12);
 }
 
+TEST(Monofilament, TakesAMeasuredShearModulusInPlaceOfPoissonsRatio) {
+  // Given G = 400 MPa, GJ = G pi D^4 / 32; E and A stay, and k is that of the nearest believed nu: E / 2G - 1 = 1.1 >
+  // 0.5.
+  Monofilament drawn = example();
+  drawn.shear_modulus = 400;
+  const Section section = section_of(drawn);
+  const Section isotropic = section_of(example());
+  EXPECT_NEAR(section.torsional_stiffness, 400 * std::numbers::pi * std::pow(0.12, 4) / 32, 1e-15);
+  EXPECT_NEAR(section.shear_stiffness, circle_shear_factor(0.5) * 400 * std::numbers::pi * 0.06 * 0.06, 1e-13);
+  EXPECT_EQ(section.bending_stiffness, isotropic.bending_stiffness);
+  EXPECT_EQ(section.axial_stiffness, isotropic.axial_stiffness);
+
+  // Given the G of isotropic theory, it is the same section as with nu.
+  drawn.shear_modulus = 1700 / (2 * 1.39);
+  EXPECT_NEAR(section_of(drawn).shear_stiffness, isotropic.shear_stiffness, 1e-13);
+  EXPECT_NEAR(section_of(drawn).torsional_stiffness, isotropic.torsional_stiffness, 1e-16);
+  drawn.shear_modulus = 0;
+  EXPECT_THROW((void)section_of(drawn), InputError);
+}
+
 class ImpossibleMonofilament : public testing::TestWithParam<Monofilament> {};
 INSTANTIATE_TEST_SUITE_P(Values, ImpossibleMonofilament,
                          testing::Values(Monofilament{0, 1700, 0.39, 1e-9}, Monofilament{-0.12, 1700, 0.39, 1e-9},
