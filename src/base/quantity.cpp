@@ -25,11 +25,13 @@ constexpr std::array kForce{Unit{"N"}, Unit{"mN", 1, 1e3}, Unit{"cN", 1, 1e2}, U
 constexpr std::array kBendingStiffness{Unit{"N mm^2"}, Unit{"mN mm^2", 1, 1e3}, Unit{"cN mm^2", 1, 1e2},
                                        Unit{"N m^2", 1e6}};
 constexpr std::array kStiffness{Unit{"N/mm"}, Unit{"N/m", 1, 1e3}, Unit{"cN/mm", 1, 1e2}, Unit{"kN/m"}};
+constexpr std::array kLinearDensity{Unit{"tex", 1, 1e12}, Unit{"dtex", 1, 1e13}, Unit{"den", 1, 9e12},
+                                    Unit{"g/m", 1, 1e9}, Unit{"t/mm"}};
 
 constexpr std::array kDimensions{Dimension::length,       Dimension::inverse_length, Dimension::pressure,
                                  Dimension::density,      Dimension::speed,          Dimension::time,
                                  Dimension::inverse_time, Dimension::force,          Dimension::bending_stiffness,
-                                 Dimension::stiffness};
+                                 Dimension::stiffness,    Dimension::linear_density};
 
 /// Another spelling of a part of a unit, and the usual one.
 struct Spelling {
@@ -133,6 +135,8 @@ std::span<const Unit> units_of(Dimension dimension) {
       return kBendingStiffness;
     case Dimension::stiffness:
       return kStiffness;
+    case Dimension::linear_density:
+      return kLinearDensity;
   }
   return {};
 }
@@ -161,6 +165,8 @@ std::string_view name_of(Dimension dimension) {
       return "a bending or torsional stiffness";
     case Dimension::stiffness:
       return "a stiffness";
+    case Dimension::linear_density:
+      return "a linear density";
   }
   return {};
 }

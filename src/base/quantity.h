@@ -19,6 +19,7 @@ enum class Dimension {
   force,              ///< [N]
   bending_stiffness,  ///< [N mm^2], also a torsional stiffness
   stiffness,          ///< [N/mm]
+  linear_density,     ///< [t/mm], the fineness of a yarn
 };
 
 /// A unit of text: value [internal] = value [unit] * multiply / divide.

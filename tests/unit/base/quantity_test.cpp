@@ -55,6 +55,8 @@ INSTANTIATE_TEST_SUITE_P(
         Written{"0.5 N·mm²", Dimension::bending_stiffness, 0.5},
         Written{"0.5 N mm2", Dimension::bending_stiffness, 0.5}, Written{"2 N m^2", Dimension::bending_stiffness, 2e6},
         Written{"16 N/mm", Dimension::stiffness, 16}, Written{"16000 N/m", Dimension::stiffness, 16},
+        Written{"20 tex", Dimension::linear_density, 20e-12}, Written{"200 dtex", Dimension::linear_density, 20e-12},
+        Written{"180 den", Dimension::linear_density, 20e-12}, Written{"20 g/m", Dimension::linear_density, 20e-9},
         Written{" +1.5e-1 mm ", Dimension::length, 0.15}, Written{"0.1", Dimension::number, 0.1}));
 
 TEST(Quantity, WithoutUnitIsRefusedWithTheUnitsThatFit) {
