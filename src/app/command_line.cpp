@@ -28,6 +28,7 @@ constexpr const char* kExamples =
     "  knitmech check jersey.toml             see what would be run\n"
     "  knitmech run jersey.toml               simulate; leaves results/jersey\n"
     "  knitmech export jersey.toml -f abaqus -o jersey.inp\n"
+    "  knitmech yarn tensile.csv --diameter \"0.12 mm\" --density \"1140 kg/m^3\"\n"
     "  knitmech parameters                    every key of a case file\n"
     "\n"
     "Exit codes: 0 done, 2 wrong input, 3 the simulation could not be finished, 4 files.";
@@ -79,6 +80,31 @@ void add_export(CLI::App& app, Action& action) {
       ->required()
       ->check(CLI::IsMember({"abaqus"}));
   command.add_option("-o,--output", options->file, "Where to; without it, to standard output");
+  on_parse(command, action, options);
+}
+
+void add_yarn(CLI::App& app, Action& action) {
+  auto options = std::make_shared<YarnOptions>();
+  CLI::App& command = *app.add_subcommand("yarn", "Read tensile tests of a yarn and make the [yarn] section of a case");
+  command.add_option("CURVE", options->files, "Files of tensile curves (CSV), one or several specimens each")
+      ->required();
+  command.add_option("--diameter", options->diameter,
+                     "Of the yarn, as \"0.12 mm\"; for E and for stresses in the files");
+  command.add_option("--linear-density", options->linear_density,
+                     "As \"20 tex\"; for forces per tex in the files. Two of diameter, linear density and density tell "
+                     "the third");
+  command.add_option("--density", options->density, "As \"1140 kg/m^3\"");
+  command.add_option("--gauge-length", options->gauge_length,
+                     "Length between the grips, as \"100 mm\"; for displacements in the files");
+  command.add_option("--from-force", options->from_force,
+                     "Count the strain from where the force stays above this, as \"5 mN\"; takes slack away");
+  command.add_option("--range", options->range, "Two strains between which E is fitted (default: 0 0.1)")->expected(2);
+  command.add_option("--poissons-ratio", options->poissons_ratio, "For the section (default: 0.39)");
+  command.add_flag("--curve", options->curve, "Put the measured curve into the section, in place of E");
+  command.add_option(
+      "-o,--output", options->folder,
+      "Folder for yarn.toml, yarn.svg and mean-curve.csv (default: results/ and the name of the first CURVE)");
+  command.add_flag("--json", options->json, "Write the result as JSON, for scripts, and nothing else");
   on_parse(command, action, options);
 }
 
@@ -149,6 +175,7 @@ int run_command_line(int argc, char** argv) {
   add_check(app, action);
   add_run(app, action);
   add_export(app, action);
+  add_yarn(app, action);
   add_parameters(app, action);
 
   const bool as_json = std::find(argv, argv + argc, std::string_view("--json")) != argv + argc;

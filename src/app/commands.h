@@ -1,6 +1,8 @@
 #pragma once
 
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace knitmech::app {
 
@@ -35,6 +37,19 @@ struct ExportOptions {
   std::string file;  ///< empty: to standard output
 };
 
+/// Quantities are texts with a unit, empty where they are not given.
+struct YarnOptions {
+  std::vector<std::string> files;
+  std::string diameter, linear_density, density;
+  std::string gauge_length;
+  std::string from_force;             ///< the strain is counted from this force on
+  std::vector<double> range{0, 0.1};  ///< two strains, over which E is fitted
+  std::optional<double> poissons_ratio;
+  bool curve = false;  ///< the section block has the measured curve in place of E
+  std::string folder;  ///< empty: results/<name of the first file>
+  bool json = false;
+};
+
 struct ParametersOptions {
   bool markdown = false;
 };
@@ -45,6 +60,7 @@ ExitCode run_command(const NewOptions& options);
 ExitCode run_command(const CheckOptions& options);
 ExitCode run_command(const RunOptions& options);
 ExitCode run_command(const ExportOptions& options);
+ExitCode run_command(const YarnOptions& options);
 ExitCode run_command(const ParametersOptions& options);
 
 }  // namespace knitmech::app

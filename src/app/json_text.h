@@ -6,6 +6,7 @@
 
 #include "app/commands.h"
 #include "app/load_case.h"
+#include "app/yarn_analysis.h"
 #include "model/facts.h"
 
 namespace knitmech::app {
@@ -18,5 +19,9 @@ namespace knitmech::app {
 
 /// What `run --json` prints: the summary of the run folder, and where that is.
 [[nodiscard]] std::string run_json(const std::string& summary, const std::filesystem::path& folder);
+
+/// What `yarn --json` prints. @param block the section block, empty if there is none
+[[nodiscard]] std::string yarn_json(const YarnAnalysis& analysis, const std::string& block,
+                                    const std::filesystem::path& folder);
 
 }  // namespace knitmech::app

@@ -128,8 +128,9 @@ double NumberReader::number(std::string_view cell) {
   const auto refuse = [cell](std::string_view complaint) {
     throw InputError(fmt::format("{} {}", base::in_quotes(cell), complaint));
   };
+  constexpr std::string_view kNoNumber = "is no number, where one such as 12.5 or 12,5 is due";
   constexpr std::size_t kLongest = 64;
-  if (cell.size() > kLongest) refuse("is no number");
+  if (cell.size() > kLongest) refuse(kNoNumber);
   std::string text(cell);
   const std::size_t mark = text.find_first_of(".,");
   if (mark != std::string::npos) {
@@ -149,8 +150,8 @@ double NumberReader::number(std::string_view cell) {
   double value = 0;
   const auto [stop, error] = std::from_chars(begin, end, value);
   if (error == std::errc::result_out_of_range) refuse("is too large or too small a number");
-  if (error != std::errc{} || stop != end) refuse("is no number");
-  if (!std::isfinite(value)) refuse("is no finite number");
+  if (error != std::errc{} || stop != end) refuse(kNoNumber);
+  if (!std::isfinite(value)) refuse("is no finite number; leave such rows out");
   if (mark != std::string::npos) decimal_mark_ = text[mark];
   return value;
 }

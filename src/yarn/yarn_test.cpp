@@ -3,9 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <cstddef>
-#include <iterator>
+#include <string>
 
 #include "base/errors.h"
 
@@ -23,9 +24,6 @@ constexpr int kFitPoints = 201;
 /// Share of a wanted strain range that may be missing without a word [-].
 constexpr double kMissingShare = 0.01;
 
-/// Digits of the numbers in a case file; no testing machine knows more.
-constexpr int kDigits = 6;
-
 std::ptrdiff_t index_of_largest(const std::vector<double>& forces) {
   return std::ranges::max_element(forces) - forces.begin();
 }
@@ -33,13 +31,6 @@ std::ptrdiff_t index_of_largest(const std::vector<double>& forces) {
 double even(double from, double to, std::size_t i, std::size_t n_intervals) {
   if (i == n_intervals) return to;
   return from + (to - from) * static_cast<double>(i) / static_cast<double>(n_intervals);
-}
-
-double rounded(double value) {
-  if (value == 0) return 0;
-  const double digits = kDigits - 1 - std::floor(std::log10(std::abs(value)));
-  const double scale = std::pow(10, std::abs(digits));
-  return digits >= 0 ? std::round(value * scale) / scale : std::round(value / scale) * scale;
 }
 
 /// Non-falling values nearest to the given ones in least squares, all of the same weight.
@@ -235,8 +226,15 @@ std::vector<AxialPoint> law_points(const MeanCurve& mean) {
         100 * strains.front()));
   }
   std::vector<AxialPoint> points = {{0, 0}};
-  for (std::size_t i = 0; i < strains.size(); ++i) points.push_back({rounded(strains[i]), rounded(forces[i])});
+  for (std::size_t i = 0; i < strains.size(); ++i) points.push_back({six_digits(strains[i]), six_digits(forces[i])});
   return points;
+}
+
+double six_digits(double value) {
+  const std::string text = fmt::format("{:.5e}", value);
+  double result = value;
+  std::from_chars(text.data(), text.data() + text.size(), result);
+  return result;
 }
 
 }  // namespace knitmech::yarn

@@ -79,4 +79,7 @@ struct LineFit {
 /// six digits. Throws InputError if the force does not rise from strain 0.
 [[nodiscard]] std::vector<AxialPoint> law_points(const MeanCurve& mean);
 
+/// A finite number rounded to six significant digits, more than any testing machine knows.
+[[nodiscard]] double six_digits(double value);
+
 }  // namespace knitmech::yarn

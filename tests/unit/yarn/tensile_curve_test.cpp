@@ -7,6 +7,7 @@
 #include <fstream>
 #include <iterator>
 #include <numbers>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -117,6 +118,43 @@ TEST(TensileCurve, IsReadAsALaboratoryExportsIt) {
     }
   }
   EXPECT_EQ(curves[2].strains.size(), 68);  // 0 to 33 % by 0.5 %, and one after the break
+}
+
+TEST(TensileCurve, IsFiniteOrRefusedWhateverTheFile) {
+  // Given 20000 files with a few bytes of a good one changed, removed or doubled (the same in every run), each is read
+  // into finite curves of at least two points, or refused as wrong input; nothing else may happen.
+  const std::string good =
+      "Pr\xfc"
+      "fung 7\n\nSpecimen;Weg in \xb5m;\"Kraft [cN]\";Strain [%]\nA;0;0,0;0\nA;5;1,5;1\nB;0;0;0\n;10;2,5E1;2\n";
+  using namespace std::string_literals;
+  const std::string letters = ";,.\t\r\n\"\0[]()%/-+eE09naif\xff\xc3 "s;
+  std::mt19937 random(5);
+  const auto below = [&](std::size_t n) { return std::uniform_int_distribution<std::size_t>(0, n - 1)(random); };
+  int n_read = 0;
+  for (int file = 0; file < 20000; ++file) {
+    std::string bytes = good;
+    for (std::size_t change = 1 + below(3); change > 0 && !bytes.empty(); --change) {
+      const std::size_t at = below(bytes.size());
+      const std::size_t kind = below(3);
+      if (kind == 0) bytes[at] = letters[below(letters.size())];
+      if (kind == 1) bytes.erase(at, 1 + below(4));
+      if (kind == 2) bytes.insert(at, bytes.substr(below(bytes.size()), 1 + below(8)));
+    }
+    try {
+      for (const TensileCurve& curve : read(bytes)) {
+        ASSERT_GE(curve.strains.size(), 2);
+        ASSERT_EQ(curve.strains.size(), curve.forces.size());
+        for (std::size_t i = 0; i < curve.strains.size(); ++i) {
+          ASSERT_TRUE(std::isfinite(curve.strains[i]) && std::isfinite(curve.forces[i]));
+        }
+      }
+      ++n_read;
+    } catch (const InputError& error) {
+      ASSERT_THAT(error.what(), testing::StartsWith("lab.csv: "));
+    }
+  }
+  EXPECT_GT(n_read, 1000);
+  EXPECT_LT(n_read, 19000);
 }
 
 struct BrokenFile {
