@@ -29,6 +29,16 @@ expect_in results/five-specimens/yarn.svg "<svg" "5 specimens" "fit, EA 18.6 N"
 [ "$(wc -l <results/five-specimens/mean-curve.csv)" -eq 514 ] || failed "$LAST: the mean curve has not 513 points"
 tail -1 results/five-specimens/mean-curve.csv >last-point
 expect_in last-point "0.33,"
+
+# The section in place of that of a case: a case with the EA of the test.
+paste_section() {
+  "$PROGRAM" new | awk '/^\[/ { skip = $0 == "[yarn]" } !skip' >pasted.toml
+  cat "$1" >>pasted.toml
+}
+paste_section results/five-specimens/yarn.toml
+knitmech check pasted.toml
+expect_code 0
+expect_in out "EA 18.60"
 rm -r results
 
 # The measured curve in place of E: as many strains as forces, from 0 to the end of the mean curve.
@@ -38,6 +48,10 @@ expect_in out "measured curve 33 points to 33 %"
 expect_in curve/yarn.toml "curve_strains = [" '"0 N", ' "poissons_ratio = 0.35" 'density = "1140.61 kg/m^3"'
 if grep -q "youngs_modulus\|assumed" curve/yarn.toml; then failed "$LAST: E beside the curve"; fi
 expect_in curve/yarn.svg "law of the yarn"
+paste_section curve/yarn.toml
+knitmech check pasted.toml
+expect_code 0
+expect_in out "EA 27.2"
 [ "$(grep -o '" N"\| N"' curve/yarn.toml | wc -l)" -eq 34 ] || failed "$LAST: not 33 forces and a strength"
 
 # What it cannot know it does not write, and it takes an older section away.
