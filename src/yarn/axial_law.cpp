@@ -97,7 +97,6 @@ AxialLaw::AxialLaw(const std::vector<AxialPoint>& points) {
     const double half_curvature = (3 * secant - 2 * slopes[i] - slopes[i + 1]) / length;
     const double cubic = (slopes[i] + slopes[i + 1] - 2 * secant) / (length * length);
     pieces_.push_back({points[i].strain, energy, points[i].force, slopes[i], half_curvature, cubic});
-    strains_.push_back(points[i].strain);
     energy +=
         length * (points[i].force + length * (slopes[i] / 2 + length * (half_curvature / 3 + length * cubic / 4)));
     // The slope is a parabola, which has its top within the piece where it bends down and turns inside.
@@ -106,13 +105,23 @@ AxialLaw::AxialLaw(const std::vector<AxialPoint>& points) {
       largest_slope_ = std::max(largest_slope_, slopes[i] + half_curvature * top);
     }
   }
-  strains_.push_back(points.back().strain);
   pieces_.push_back(
       {.start = points.back().strain, .energy = energy, .force = points.back().force, .slope = slopes.back()});
+  make_cells();
 }
 
-std::size_t AxialLaw::piece_of(double strain) const {
-  return static_cast<std::size_t>(std::ranges::upper_bound(strains_, strain) - strains_.begin());
+void AxialLaw::make_cells() {
+  constexpr std::size_t kCellsPerPiece = 4;
+  // Strains that round into the next cell find their piece as well.
+  constexpr double kRounding = 1e-6;
+  const std::size_t n_cells = kCellsPerPiece * pieces_.size();
+  cells_per_strain_ = static_cast<double>(n_cells) / last_strain();
+  std::uint32_t piece = 1;
+  for (std::size_t cell = 0; cell <= n_cells; ++cell) {
+    const double start = (static_cast<double>(cell) - kRounding) / cells_per_strain_;
+    while (piece + 2 < pieces_.size() && start >= pieces_[piece + 1].start) ++piece;
+    first_piece_.push_back(piece);
+  }
 }
 
 }  // namespace knitmech::yarn
