@@ -109,7 +109,7 @@ TEST(TensileCurve, IsReadAsALaboratoryExportsIt) {
   const std::string bytes{std::istreambuf_iterator<char>(file), {}};
   const auto curves = read_tensile_curves(bytes, "five.csv", {});
   ASSERT_EQ(curves.size(), 5);
-  const double scales[] = {0.96, 0.98, 1.00, 1.01, 1.05};
+  const std::vector<double> scales = {0.96, 0.98, 1.00, 1.01, 1.05};
   for (std::size_t k = 0; k < 5; ++k) {
     for (std::size_t i = 0; i + 1 < curves[k].strains.size(); ++i) {
       const double strain = curves[k].strains[i];
