@@ -7,6 +7,9 @@
 #include <utility>
 #include <vector>
 
+#include "base/errors.h"
+#include "model/sections.h"
+
 namespace knitmech::model {
 namespace {
 
@@ -89,7 +92,8 @@ std::optional<BrokenRule> stiffness_rule(const YarnStiffness& yarn, const std::s
   return std::nullopt;
 }
 
-std::optional<BrokenRule> curve_rule(const Case::Yarn& yarn) {
+std::optional<BrokenRule> curve_rule(const Case& input) {
+  const Case::Yarn& yarn = input.yarn;
   const auto broken = [](const char* key, std::string complaint) { return BrokenRule{key, std::move(complaint)}; };
   if (yarn.curve_strains.empty() != yarn.curve_forces.empty() ||
       yarn.curve_strains.size() != yarn.curve_forces.size()) {
@@ -103,6 +107,11 @@ std::optional<BrokenRule> curve_rule(const Case::Yarn& yarn) {
                   "is given beside yarn.curve_strains; the curve takes its place, so remove one of the two");
   }
   if (yarn.filaments) return broken("yarn.filaments", "cannot go with a measured curve; remove one of the two");
+  try {
+    static_cast<void>(axial_law_of(input));
+  } catch (const InputError& error) {
+    return broken("yarn.curve_forces", std::string("and yarn.curve_strains are no tensile curve: ") + error.what());
+  }
   return std::nullopt;
 }
 
@@ -129,7 +138,7 @@ std::optional<BrokenRule> size_rule(const Case::Fabric& fabric) {
 }  // namespace
 
 std::optional<BrokenRule> broken_rule(const Case& input) {
-  if (auto broken = curve_rule(input.yarn)) return broken;
+  if (auto broken = curve_rule(input)) return broken;
   if (auto broken = stiffness_rule(input.yarn, "yarn", true, !input.yarn.curve_strains.empty())) return broken;
   if (auto broken = stiffness_rule(input.edge_yarn, "edge_yarn", false, false)) return broken;
   if (auto broken = frames_rule(input)) return broken;

@@ -126,7 +126,7 @@ Json peaks_block(const Model& model, const SectionPeaks& peaks) {
                                  {"strain", number(peak->strain)},
                                  {"yarn", place.yarn},
                                  {"course", place.course},
-                                 {"wale", place.wale},
+                                 {"wale", place.wale ? Json(*place.wale) : Json(nullptr)},
                                  {"part", place.part},
                                  {"place_mm", number(place.arc_length)}};
   }

@@ -2,17 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "results/constants.h"
 
 namespace knitmech::results {
 namespace {
-
-/// A stitch by its course and wale, counted from 1, and the arc length [mm] to the middle of its head.
-struct Stitch {
-  int course, wale;
-  double to_head;
-};
 
 int yarn_of_element(const model::Model& model, std::size_t element) {
   const auto begins_behind = [](std::size_t node, const model::ModelYarn& yarn) {
@@ -22,16 +17,16 @@ int yarn_of_element(const model::Model& model, std::size_t element) {
   return static_cast<int>(next - model.yarns.begin()) - 1;
 }
 
-/// Stitches follow each other from left to right, each from the middle of one foot to the next, its head half way.
-Stitch stitch_at(const model::Model& model, const model::ModelYarn& yarn, double arc_length) {
-  const auto first = static_cast<std::size_t>(yarn.first_node);
-  const std::size_t last = first + static_cast<std::size_t>(yarn.n_nodes) - 1;
-  const bool starts_left = model.nodes[first].x() <= model.nodes[last].x();
-  const double from_left = starts_left ? arc_length : model.arc_length[last] - arc_length;
-  const double length = 2 * model.half_stitch_length;
-  if (length <= 0) return {yarn.course + 1, 1, 0};
-  const double wale = std::max(0.0, std::floor(from_left / length));
-  return {yarn.course + 1, static_cast<int>(wale) + 1, std::abs(from_left - (wale + 0.5) * length)};
+/// Half way between the feet and the heads of a course before the test [mm].
+double mid_height(const model::Model& model, int course) {
+  double low = std::numeric_limits<double>::max();
+  double high = std::numeric_limits<double>::lowest();
+  for (std::size_t i = 0; i < model.nodes.size(); ++i) {
+    if (model.course[i] != course || model.wale[i] == knit::kNoWale) continue;
+    low = std::min(low, model.nodes[i].y());
+    high = std::max(high, model.nodes[i].y());
+  }
+  return 0.5 * (low + high);
 }
 
 bool lies_on_leg(const model::Model& model, std::size_t element) {
@@ -46,9 +41,15 @@ bool lies_on_leg(const model::Model& model, std::size_t element) {
 YarnPlace place_of_element(const model::Model& model, std::size_t element) {
   const int yarn = yarn_of_element(model, element);
   const double arc_length = 0.5 * (model.arc_length[element] + model.arc_length[element + 1]);
-  const Stitch stitch = stitch_at(model, model.yarns[static_cast<std::size_t>(yarn)], arc_length);
-  const char* nearer = stitch.to_head < 0.5 * model.half_stitch_length ? "head" : "foot";
-  return {yarn, stitch.course, stitch.wale, lies_on_leg(model, element) ? "leg" : nearer, arc_length};
+  const std::size_t behind = element + 1;
+  const bool on_arc = model.wale[element] == knit::kNoWale || model.wale[behind] == knit::kNoWale;
+  const int course = model.course[element];
+  if (on_arc) return {yarn, course + 1, std::nullopt, "turning arc", arc_length};
+  const double height = 0.5 * (model.nodes[element].y() + model.nodes[behind].y());
+  const char* const end = height > mid_height(model, course) ? "head" : "foot";
+  // Of the two nodes, the one that no other stitch shares.
+  const int wale = std::max(model.wale[element], model.wale[behind]);
+  return {yarn, course + 1, wale + 1, lies_on_leg(model, element) ? "leg" : end, arc_length};
 }
 
 }  // namespace knitmech::results
