@@ -23,8 +23,6 @@ class FrequencyBound {
   struct End {
     YarnPlace place;
     Hold hold;
-    std::size_t arm_node = 0;  ///< node that an arm from the centreline turns with
-    double arm = 0;            ///< its length [mm]
   };
 
   /// Adds a spring of a stiffness [N/mm].
@@ -54,7 +52,6 @@ class FrequencyBound {
     gather(i + 1, end.hold.end, mass_[i + 1]);
     gather(n + i, length(end.hold.start_arm), rotary_[i]);
     gather(n + i + 1, length(end.hold.end_arm), rotary_[i + 1]);
-    if (end.arm > 0) gather(n + end.arm_node, end.arm, rotary_[end.arm_node]);
   }
   void gather(std::size_t at, double weight, double inertia) {
     entries_[filled_] = {at, std::abs(weight) / std::sqrt(inertia)};
@@ -64,7 +61,7 @@ class FrequencyBound {
   const std::vector<double>& mass_;
   const std::vector<double>& rotary_;
   std::vector<double> row_;  // of the displacements, then of the rotations
-  std::array<Entry, 10> entries_{};
+  std::array<Entry, 8> entries_{};
   std::size_t filled_ = 0;
   double sum_ = 0, highest_ = 0;
 };

@@ -139,7 +139,6 @@ Model build_model(const Case& input) {
   model.friction = input.contact.friction;
   model.contact_stiffness =
       input.contact.stiffness.value_or(kContactStiffnessShare * section.axial_stiffness / section.diameter);
-  model.tie_stiffness = kTieStiffnessShare * model.contact_stiffness;
   model.centreline = input.contact.centreline;
   model.test.grips = input.test.grips;
   model.test.gauge_length = height_of(model.nodes);

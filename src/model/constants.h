@@ -7,10 +7,6 @@ namespace knitmech::model {
 /// step, smaller lets yarns sink into each other visibly.
 inline constexpr double kContactStiffnessShare = 0.1;
 
-/// Stiffness of a tie between yarns, in units of the contact stiffness [-]. Larger lets tied places come apart less,
-/// under smaller time steps.
-inline constexpr double kTieStiffnessShare = 2;
-
 /// Bending stiffness of the edge yarn that "auto" stands for [N mm^2]: the published soft multifilament.
 inline constexpr double kEdgeBendingStiffness = 5e-6;
 

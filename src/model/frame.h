@@ -15,7 +15,7 @@ struct HistoryRow {
   double external_work = 0;         ///< [mJ], done by the driven grip
   double internal_energy = 0;       ///< [mJ], strain energy of the beams
   double kinetic_energy = 0;        ///< [mJ], translation and rotation, scaled mass included
-  double contact_energy = 0;        ///< [mJ], stored in the contact penalty, the elastic stick and ties
+  double contact_energy = 0;        ///< [mJ], stored in the contact penalty, and the elastic stick
   double friction_loss = 0;         ///< [mJ]
   double damping_loss = 0;          ///< [mJ], bulk viscosity and mass damping
   double width = 0;                 ///< [mm], extent along x at mid-height of the fabric

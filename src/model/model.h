@@ -22,7 +22,7 @@ struct ElementPlace {
   double share = 0;  ///< in [0, 1]
 };
 
-/// Two places that are tied to each other: they keep their relative position. See contact/yarn_ties.h.
+/// Two places that are tied to each other: they keep their relative position. See solve/ties.h.
 struct Tie {
   ElementPlace first, second;
 };
@@ -80,7 +80,6 @@ struct Model {
   double friction = 0;                                ///< mu [-], of all pairs of yarns but those in pair_friction
   std::vector<PairFriction> pair_friction;
   double contact_stiffness = 0;  ///< [N/mm], penalty of one crossing
-  double tie_stiffness = 0;      ///< [N/mm], of each tie
   Centreline centreline = Centreline::smooth;
   TensileTest test;
 

@@ -21,6 +21,14 @@ inline constexpr int kCalmLooks = 100;
 /// looks of the contact.
 inline constexpr double kLargestMove = 0.1;
 
+/// Share of the distance between two tied points that is taken back in one step [-]. Larger: they stay closer together,
+/// and the ties do more work.
+inline constexpr double kTieRecovery = 0.1;
+
+/// How often the forces of all ties are found in turns in one step [-]; the forces of the step before are the start.
+/// More: ties that share nodes agree better.
+inline constexpr int kTieTurns = 3;
+
 /// A step this many times smaller than the first one means that the simulation has run away [-].
 inline constexpr double kStepCollapse = 1e-4;
 

@@ -58,9 +58,7 @@ double ExplicitSolver::stable_step_for(double contact_frequency_squared) const {
 void ExplicitSolver::look_at_stable_step() {
   const double speed_squared = largest_speed_squared(state_);
   is_finite_ = !std::isnan(speed_squared);
-  double allowed =
-      stable_step_for(contact_.highest_frequency_squared(inertia_.mass, inertia_.rotary) +
-                      ties_.highest_frequency_squared(contact_.centreline(), inertia_.mass, inertia_.rotary));
+  double allowed = stable_step_for(contact_.highest_frequency_squared(inertia_.mass, inertia_.rotary));
   if (speed_squared > 0) allowed = std::min(allowed, kLargestMove * smallest_radius_ / std::sqrt(speed_squared));
 
   if (allowed < step_in_use_) {
@@ -76,7 +74,6 @@ void ExplicitSolver::compute_forces() {
   beam::set_internal_force(elements_, state_, step_.mean(), work_, loads_);
   folds_.add_moments(state_, loads_);
   contact_.add_forces(state_, step_.before, loads_);
-  ties_.add_forces(contact_.centreline(), state_, loads_);
   largest_penetration_ = std::max(largest_penetration_, contact_.largest_penetration());
   forces_are_current_ = true;
 }
@@ -86,7 +83,6 @@ void ExplicitSolver::evaluate() {
 }
 
 void ExplicitSolver::step() {
-  if (steps_ == 0) evaluate();
   if (steps_ % kWatchInterval == 0) look_at_stable_step();
   step_.after = step_in_use_;
   if (steps_ == 0) step_.before = step_.after;
@@ -95,6 +91,7 @@ void ExplicitSolver::step() {
   const bool damped = settings_.mass_damping > 0;
   const model::VectorArray velocity_before = damped ? state_.velocity : model::VectorArray();
   const model::VectorArray angular_before = damped ? state_.angular_velocity : model::VectorArray();
+  ties_.apply(contact_.centreline(), inertia_, step_, settings_.mass_damping, state_, loads_);
   grips_.apply(inertia_, step_, settings_.mass_damping, state_, loads_);
   const double h = step_.mean();
   impulse_top_ += h * grips_.force_top();
@@ -137,9 +134,10 @@ model::HistoryRow ExplicitSolver::history() {
   row.external_work = grips_.work();
   row.internal_energy = beam::strain_energy(elements_, state_) + folds_.energy();
   model::NodalLoads free_loads = loads_;
+  ties_.add_last_forces(free_loads);
   grips_.clear_loads(free_loads);  // what the fabric does to a grip does not accelerate it
   row.kinetic_energy = steps_ == 0 ? 0 : kinetic_energy(inertia_, free_loads, step_, state_);
-  row.contact_energy = contact_.energy() + ties_.energy();
+  row.contact_energy = contact_.energy();
   row.friction_loss = contact_.friction_loss();
   row.damping_loss = beam::damping_loss(work_) + mass_damping_loss_;
   row.width = width();
@@ -168,7 +166,7 @@ model::Frame ExplicitSolver::frame(int index, const model::HistoryRow& row) cons
   }
   beam::set_section_results(elements_, state_, frame);
   contact_.set_contact_results(frame);
-  ties_.set_results(contact_.centreline(), frame);
+  ties_.set_results(frame);
   return frame;
 }
 

@@ -7,11 +7,11 @@
 #include "beam/internal_force.h"
 #include "beam/nodal_inertia.h"
 #include "contact/yarn_contact.h"
-#include "contact/yarn_ties.h"
 #include "model/frame.h"
 #include "model/model.h"
 #include "solve/grips.h"
 #include "solve/integrate.h"
+#include "solve/ties.h"
 
 namespace knitmech::solve {
 
@@ -46,7 +46,7 @@ class ExplicitSolver {
   [[nodiscard]] long crossing_checks() const { return contact_.crossing_checks(); }
   [[nodiscard]] const std::vector<contact::RavelEvent>& ravelled() const { return contact_.ravelled(); }
   [[nodiscard]] double largest_penetration() const { return largest_penetration_; }
-  /// At the last evaluation of forces [mm].
+  /// In the last step [mm].
   [[nodiscard]] double largest_tie_stretch() const { return ties_.largest_stretch(); }
   [[nodiscard]] const model::State& state() const { return state_; }
 
@@ -67,7 +67,7 @@ class ExplicitSolver {
   beam::ElementWork work_;
   beam::FoldLimit folds_;
   contact::YarnContact contact_;
-  contact::YarnTies ties_;
+  Ties ties_;
   Grips grips_;
   model::State state_;
   model::NodalLoads loads_;
