@@ -16,10 +16,17 @@ Elements inert_elements(std::size_t n) {
   elements.axis_z.assign(n, 0.0);
   elements.inverse_length.assign(n, 1.0);
   for (auto* stiffness :
-       {&elements.axial, &elements.shear, &elements.torsion, &elements.bending, &elements.mass, &elements.viscosity}) {
+       {&elements.axial, &elements.shear, &elements.torsion, &elements.bending, &elements.fold, &elements.mass, &elements.viscosity}) {
     stiffness->assign(n, 0.0);
   }
   return elements;
+}
+
+/// k = EA L0 / 8 of a yarn that bends more easily than a solid one of its diameter and EA; see FoldLimit.
+double fold_stiffness(const yarn::Section& section, double length) {
+  constexpr double kSoft = 0.99;  // of the solid yarn's EI, for rounding
+  const double solid = section.axial_stiffness * section.diameter * section.diameter / 16;
+  return section.bending_stiffness < kSoft * solid ? section.axial_stiffness * length / 8 : 0;
 }
 
 }  // namespace
@@ -45,6 +52,7 @@ Elements make_elements(const model::Model& model, double mass_scaling, double bu
       elements.shear[i] = compensated_shear_stiffness(section, length);
       elements.torsion[i] = section.torsional_stiffness;
       elements.bending[i] = section.bending_stiffness;
+      elements.fold[i] = fold_stiffness(section, length);
       elements.mass[i] = section.mass_per_length * length;
       elements.viscosity[i] =
           bulk_viscosity * std::sqrt(section.axial_stiffness * section.mass_per_length * mass_scaling);

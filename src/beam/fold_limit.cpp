@@ -6,14 +6,6 @@ namespace knitmech::beam {
 
 namespace {
 
-/// Share of EI of a solid yarn below which a yarn is soft [-].
-constexpr double kSoft = 0.99;
-
-bool is_soft(const yarn::Section& section) {
-  const double solid = section.axial_stiffness * section.diameter * section.diameter / 16;
-  return section.bending_stiffness < kSoft * solid;
-}
-
 /// Vector part of q_b q_a^-1, u sin(theta / 2) in space, and cos(theta / 2).
 struct Relative {
   Vector3 vector;
@@ -29,10 +21,9 @@ Relative relative_rotation(const model::RotationArray& q, std::size_t a) {
 
 }  // namespace
 
-FoldLimit::FoldLimit(const model::Model& model, const Elements& elements) {
+FoldLimit::FoldLimit(const Elements& elements) {
   for (std::size_t i = 0; i < elements.size(); ++i) {
-    if (elements.axial[i] == 0 || !is_soft(model.section_of(i))) continue;
-    soft_.push_back({i, elements.axial[i] / (64 * elements.inverse_length[i])});
+    if (elements.fold[i] > 0) soft_.push_back({i, elements.fold[i]});
   }
 }
 

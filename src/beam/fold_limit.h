@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "beam/elements.h"
-#include "model/model.h"
 #include "model/state.h"
 
 namespace knitmech::beam {
@@ -16,15 +15,16 @@ namespace knitmech::beam {
 /// which all but lacks bending stiffness, would turn on towards 360 degrees, where it has no mid frame. So a relative
 /// rotation theta of the two nodes beyond kFold is resisted by
 ///
-///     W = k / 2 (|theta| - kFold)^2,   k = EA L0 / 64,
+///     W = k / 2 (|theta| - kFold)^2,   k = EA L0 / 8,
 ///
-/// which is stiff beside the yarn's bending and never rules the time step (NodalInertia). Only yarns that bend more
+/// which holds against a tension of several per cent of EA and, as NodalInertia makes room for it, never rules the time
+/// step. Only yarns that bend more
 /// easily than a solid one of their diameter and EA have it.
 class FoldLimit {
  public:
   static constexpr double kFold = 2.618;  ///< [rad], 150 degrees
 
-  FoldLimit(const model::Model& model, const Elements& elements);
+  explicit FoldLimit(const Elements& elements);
 
   /// Adds the moments on the nodes.
   void add_moments(const model::State& state, model::NodalLoads& loads);

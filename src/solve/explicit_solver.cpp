@@ -33,7 +33,7 @@ ExplicitSolver::ExplicitSolver(const model::Model& model, const ExplicitSettings
       elements_(beam::make_elements(model, settings.mass_scaling, settings.bulk_viscosity)),
       inertia_(beam::lump_inertia(elements_, settings.mass_scaling)),
       work_(model.nodes.size()),
-      folds_(model, elements_),
+      folds_(elements_),
       contact_(model),
       ties_(model),
       grips_(model),
