@@ -15,8 +15,8 @@ Elements inert_elements(std::size_t n) {
   elements.axis_y.assign(n, 0.0);
   elements.axis_z.assign(n, 0.0);
   elements.inverse_length.assign(n, 1.0);
-  for (auto* stiffness :
-       {&elements.axial, &elements.shear, &elements.torsion, &elements.bending, &elements.fold, &elements.mass, &elements.viscosity}) {
+  for (auto* stiffness : {&elements.axial, &elements.shear, &elements.torsion, &elements.bending, &elements.fold,
+                          &elements.mass, &elements.viscosity}) {
     stiffness->assign(n, 0.0);
   }
   return elements;

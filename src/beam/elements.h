@@ -18,7 +18,7 @@ struct Elements {
   std::vector<double> shear;                   ///< k G A', after slenderness compensation [N]
   std::vector<double> torsion;                 ///< GJ [N mm^2]
   std::vector<double> bending;                 ///< EI [N mm^2]
-  std::vector<double> fold;  ///< k [N mm] of FoldLimit; 0 where there is none
+  std::vector<double> fold;                    ///< k [N mm] of FoldLimit; 0 where there is none
   std::vector<double> mass;                    ///< of the whole element, not scaled [t]
   std::vector<double> viscosity;               ///< bulk viscosity force per axial speed difference [N s/mm]
 

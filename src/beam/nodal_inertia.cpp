@@ -35,8 +35,8 @@ NodalInertia lump_inertia(const Elements& elements, double mass_scaling) {
     const double for_torsion = 2 * mass * elements.torsion[i] / limit;
     const double for_fold = 2 * mass * elements.fold[i] * length / limit;
     const double own = mass * elements.bending[i] / axial;
-    const double rotary = std::max(
-        {kRotaryReserve * std::max({for_shear, for_bending, for_torsion, for_fold}), kLeastRotary * mass * length * length, own});
+    const double rotary = std::max({kRotaryReserve * std::max({for_shear, for_bending, for_torsion, for_fold}),
+                                    kLeastRotary * mass * length * length, own});
 
     for (const std::size_t node : {i, i + 1}) {
       inertia.mass[node] += mass;
