@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "app/structure_texts.h"
 #include "model/case_file.h"
 
 namespace knitmech::app {
@@ -22,6 +23,29 @@ Json gap_json(const std::optional<knit::Approach>& approach) {
 
 Json optional_json(const std::optional<double>& value) {
   return value ? Json(*value) : Json(nullptr);
+}
+
+Json filaments_json(const model::YarnStiffness& yarn) {
+  if (!yarn.filaments) return nullptr;
+  return {{"number", *yarn.filaments}, {"diameter_mm", *yarn.filament_diameter}, {"turns_per_mm", *yarn.twist}};
+}
+
+Json edge_yarn_json(const model::Case& input, const model::FabricFacts& facts) {
+  if (!facts.edge_section) return nullptr;
+  return {{"diameter_mm", facts.edge_section->diameter},
+          {"axial_stiffness_N", facts.edge_section->axial_stiffness},
+          {"bending_stiffness_N_mm2", facts.edge_section->bending_stiffness},
+          {"torsional_stiffness_N_mm2", facts.edge_section->torsional_stiffness},
+          {"filaments", filaments_json(input.edge_yarn)},
+          {"friction", edge_friction(input)}};
+}
+
+Json structure_json(const LoadedCase& loaded, const model::FabricFacts& facts) {
+  return {{"name", structure_name(loaded.input.fabric.structure)},
+          {"yarns", loaded.model.yarns.size()},
+          {"ties", facts.n_ties},
+          {"turning_arcs", facts.n_turning_arcs},
+          {"turning_arc_length_mm", facts.edge_section ? Json(facts.turning_arc_length) : Json(nullptr)}};
 }
 
 Json specimens_json(const YarnAnalysis& analysis) {
@@ -51,6 +75,7 @@ std::string error_json(const std::runtime_error& error, ExitCode code) {
 std::string check_json(const LoadedCase& loaded, const model::FabricFacts& facts, double mass_scaling) {
   const model::Model& model = loaded.model;
   return text_of({{"title", model.title},
+                  {"structure", structure_json(loaded, facts)},
                   {"elements", facts.n_elements},
                   {"nodes", facts.n_nodes},
                   {"degrees_of_freedom", facts.n_degrees_of_freedom},
@@ -69,6 +94,8 @@ std::string check_json(const LoadedCase& loaded, const model::FabricFacts& facts
                   {"axial_stiffness_N", facts.section.axial_stiffness},
                   {"bending_stiffness_N_mm2", facts.section.bending_stiffness},
                   {"torsional_stiffness_N_mm2", facts.section.torsional_stiffness},
+                  {"filaments", filaments_json(loaded.input.yarn)},
+                  {"edge_yarn", edge_yarn_json(loaded.input, facts)},
                   {"friction", model.friction},
                   {"contact_stiffness_N_per_mm", model.contact_stiffness},
                   {"gauge_length_mm", model.test.gauge_length},

@@ -5,7 +5,10 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <utility>
+#include <vector>
 
+#include "app/structure_texts.h"
 #include "base/quantity.h"
 #include "results/ravelling.h"
 
@@ -58,6 +61,29 @@ std::string crossings_text(const model::RunOutcome& outcome) {
   return fmt::format("all kept, no yarn went through another in {} checks", outcome.crossing_checks);
 }
 
+using Line = std::pair<const char*, std::string>;
+
+/// The yarn and, where there is one, the edge yarn.
+std::vector<Line> yarn_lines(const LoadedCase& loaded, const model::FabricFacts& facts) {
+  std::vector<Line> lines = {{"yarn", stiffness_text(facts.section)}};
+  const auto add_filaments = [&](const model::YarnStiffness& yarn) {
+    const std::string filaments = filaments_text(yarn);
+    if (!filaments.empty()) lines.emplace_back("", filaments);
+  };
+  add_filaments(loaded.input.yarn);
+  if (!facts.edge_section) return lines;
+  lines.emplace_back("edge yarn", stiffness_text(*facts.edge_section));
+  add_filaments(loaded.input.edge_yarn);
+  return lines;
+}
+
+std::string contact_text(const LoadedCase& loaded, const model::FabricFacts& facts) {
+  const model::Model& model = loaded.model;
+  const std::string of_edge =
+      facts.edge_section ? fmt::format(" (edge yarn {:.3g})", edge_friction(loaded.input)) : std::string();
+  return fmt::format("friction {:.3g}{}, {:.4g} N/mm at a crossing", model.friction, of_edge, model.contact_stiffness);
+}
+
 }  // namespace
 
 std::string duration_text(double seconds) {
@@ -82,6 +108,7 @@ std::string check_text(const LoadedCase& loaded, const model::FabricFacts& facts
   std::string text = loaded.model.title + "\n";
   const auto add = [&](const char* name, const std::string& value) { text += fmt::format("  {:14}{}\n", name, value); };
   add("fabric", fabric_text(loaded.input.fabric));
+  add("structure", structure_text(loaded.input, facts));
   add("mesh", counts_text(facts));
   add("loop length", fmt::format("{:.5g} mm of yarn in a stitch, {:.4g} m in the fabric", facts.stitch_length,
                                  facts.yarn_length / 1000));
@@ -92,10 +119,8 @@ std::string check_text(const LoadedCase& loaded, const model::FabricFacts& facts
   add("", "on the elements " + gap_text(facts.closest_on_elements));
   add("size", fmt::format("{:.4g} x {:.4g} x {:.3g} mm, {:.4g} g/m^2", facts.width, facts.height, facts.thickness,
                           facts.mass_per_area));
-  add("yarn", fmt::format("EA {:.6g} N, EI {:.6g} N mm^2, GJ {:.6g} N mm^2", facts.section.axial_stiffness,
-                          facts.section.bending_stiffness, facts.section.torsional_stiffness));
-  add("contact",
-      fmt::format("friction {:.3g}, {:.4g} N/mm at a crossing", loaded.model.friction, loaded.model.contact_stiffness));
+  for (const auto& [name, value] : yarn_lines(loaded, facts)) add(name, value);
+  add("contact", contact_text(loaded, facts));
   add("test", test_text(loaded.model.test));
   add("mass scaling", mass_scaling_text(loaded.input, mass_scaling));
   return text;
@@ -106,6 +131,7 @@ std::string run_head_text(const LoadedCase& loaded, const model::FabricFacts& fa
   std::string text = loaded.model.title + "\n";
   const auto add = [&](const char* name, const std::string& value) { text += fmt::format("  {:14}{}\n", name, value); };
   add("fabric", fabric_text(loaded.input.fabric));
+  add("structure", structure_text(loaded.input, facts));
   add("mesh", counts_text(facts));
   add("loop length", fmt::format("{:.5g} mm", facts.stitch_length));
   add("test", test_text(loaded.model.test));
@@ -119,10 +145,11 @@ std::string run_end_text(const model::Model& model, const model::RunOutcome& out
                          const results::Quality& quality) {
   const char* const how = outcome.status == model::RunStatus::completed ? "Reached" : "Stopped at";
   const std::string ravelling = results::ravelling_text(model, outcome);
-  return fmt::format("{} {} strain with {} after {} ({} steps).\nContact: {}.\nCrossings: {}.\n{}Quality: {}\n", how,
+  const std::string ties = ties_text(model, outcome);
+  return fmt::format("{} {} strain with {} after {} ({} steps).\nContact: {}.\n{}Crossings: {}.\n{}Quality: {}\n", how,
                      percent_text(outcome.strain), force_text(last.force_top), duration_text(outcome.wall_seconds),
-                     outcome.steps, contacts_text(last, quality), crossings_text(outcome),
-                     ravelling.empty() ? "" : ravelling + "\n", quality.verdict);
+                     outcome.steps, contacts_text(last, quality), ties.empty() ? "" : ties + "\n",
+                     crossings_text(outcome), ravelling.empty() ? "" : ravelling + "\n", quality.verdict);
 }
 
 }  // namespace knitmech::app

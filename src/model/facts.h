@@ -17,17 +17,21 @@ struct FabricFacts {
   double out_of_plane = 0;              ///< p in use [1/mm]
   double least_out_of_plane = 0;        ///< [1/mm], the least p without overlap, of the curve and of the elements
   double stitch_length = 0;             ///< [mm], yarn in one stitch: two ERCs
-  double yarn_length = 0;               ///< [mm], yarn in the whole fabric
+  double yarn_length = 0;               ///< [mm], yarn in the whole fabric, turning arcs included
   int n_elements = 0;
   int n_nodes = 0;
   int n_degrees_of_freedom = 0;                       ///< six per node
   std::optional<knit::Approach> closest_on_curve;     ///< least gap of the true centreline; empty if nothing faces
   std::optional<knit::Approach> closest_on_elements;  ///< the same of the straight elements
   double width = 0;                                   ///< [mm], W L: the wales side by side
-  double height = 0;         ///< [mm], (C - 1) T + H: lowest foot to highest head, of the centreline
-  double thickness = 0;      ///< [mm], depth of the loops plus one yarn diameter
-  double mass_per_area = 0;  ///< [g/m^2], yarn of one stitch over its area L T
-  yarn::Section section;     ///< EA, EI, GJ and mass of the yarn
+  double height = 0;                          ///< [mm], (C - 1) T + H: lowest foot to highest head, of the centreline
+  double thickness = 0;                       ///< [mm], depth of the loops plus one yarn diameter
+  double mass_per_area = 0;                   ///< [g/m^2], yarn of one stitch over its area L T
+  yarn::Section section;                      ///< EA, EI, GJ and mass of the yarn
+  int n_ties = 0;                             ///< tied: crossings that are tied
+  int n_turning_arcs = 0;                     ///< adjusted: arcs that join two courses
+  double turning_arc_length = 0;              ///< [mm], of one of them
+  std::optional<yarn::Section> edge_section;  ///< adjusted: EA, EI, GJ and mass of the arcs
 };
 
 /// The facts of a case and of the model that build_model() made of it. Throws InputError like build_model().

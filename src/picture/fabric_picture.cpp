@@ -21,6 +21,7 @@ constexpr std::uint32_t kBackdropColour = 0xf6f5f2;
 constexpr double kScaleBarRoom = 5;  // least room for the scale bar, in font sizes
 constexpr std::uint32_t kInk = 0x262626;
 constexpr std::uint32_t kPlainYarn = 0x2f7fb5;
+constexpr std::uint32_t kEdgeYarn = 0xe2a33c;  // of elements of another section than the first
 constexpr std::array<std::uint32_t, 2> kCourseColours{0x2a78b0, 0xe2a33c};
 
 /// Sizes that follow from the height of the picture [px].
@@ -126,7 +127,10 @@ std::function<Colour(const TubeHit&)> yarn_colours(const model::Model& model, co
       return colours[static_cast<std::size_t>(model.course[node]) % colours.size()];
     };
   }
-  return [colour = from_srgb(kPlainYarn)](const TubeHit&) { return colour; };
+  return [&scene, &model, plain = from_srgb(kPlainYarn), edge = from_srgb(kEdgeYarn)](const TubeHit& hit) {
+    const auto node = static_cast<std::size_t>(scene.pieces()[static_cast<std::size_t>(hit.piece)].node);
+    return model.element_section[node] == 0 ? plain : edge;
+  };
 }
 
 int thread_count(int wanted) {

@@ -12,7 +12,7 @@ namespace knitmech::picture {
 
 /// What the colour of the yarns tells.
 enum class ColourBy {
-  plain,          ///< nothing, one colour
+  plain,          ///< nothing; the edge yarn is told from the yarn
   course,         ///< neighbouring courses in different colours
   contact_force,  ///< magnitude of the contact force at the node [N]
   curvature,      ///< change of curvature since the stress-free shape [1/mm]

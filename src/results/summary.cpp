@@ -97,7 +97,7 @@ Json contact_block(const std::optional<ContactSummary>& contacts) {
           {"elastic_slip_ratio", value(&ContactSummary::elastic_slip_ratio)}};
 }
 
-Json largest_block(const std::vector<HistoryRow>& history, const RunOutcome& outcome) {
+Json largest_block(const Model& model, const std::vector<HistoryRow>& history, const RunOutcome& outcome) {
   const auto largest = [&](auto member) -> Json {
     if (history.empty()) {
       return nullptr;
@@ -106,12 +106,19 @@ Json largest_block(const std::vector<HistoryRow>& history, const RunOutcome& out
                                       [&](const HistoryRow& a, const HistoryRow& b) { return a.*member < b.*member; });
     return (*row).*member;
   };
+  std::optional<double> tie_stretch, tie_stretch_ratio;
+  if (!model.ties.empty()) {
+    tie_stretch = outcome.largest_tie_stretch;
+    tie_stretch_ratio = outcome.largest_tie_stretch / model.sections.front().diameter;
+  }
   return {{"force_top_N", largest(&HistoryRow::force_top)},
           {"force_bottom_N", largest(&HistoryRow::force_bottom)},
           {"kinetic_energy_mJ", largest(&HistoryRow::kinetic_energy)},
           {"contacts", largest(&HistoryRow::contacts)},
           {"contact_normal_force_N", largest(&HistoryRow::normal_force)},
-          {"penetration_mm", number(outcome.largest_penetration)}};
+          {"penetration_mm", number(outcome.largest_penetration)},
+          {"tie_stretch_mm", number(tie_stretch)},
+          {"tie_stretch_ratio", number(tie_stretch_ratio)}};
 }
 
 Json peaks_block(const Model& model, const SectionPeaks& peaks) {
@@ -186,7 +193,7 @@ std::string finished_summary(const Model& model, const std::vector<HistoryRow>& 
   document["solver"] = solver_block(model, outcome);
   document["final"] = final_block(history, outcome);
   document["contact"] = contact_block(contacts);
-  document["largest"] = largest_block(history, outcome);
+  document["largest"] = largest_block(model, history, outcome);
   document["largest_in_yarns"] = peaks_block(model, peaks);
   document["quality"] = quality_block(quality);
   document["ravelled"] = ravelled_block(model, outcome);

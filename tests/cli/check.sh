@@ -19,6 +19,29 @@ knitmech check jersey.toml
 expect_in out "loop length" "least gap" "g/m^2" "EA 19.2265 N, EI 0.0173039 N mm^2, GJ 0.0124488 N mm^2"
 expect_empty err
 
+# The side edges, and the yarn that they are made of.
+expect_in out "basic: free side edges"
+sed 's/^# structure = "basic"/structure = "tied"/' jersey.toml >tied.toml
+knitmech check tied.toml
+expect_code 0
+expect_in out "tied: 112 crossings of the edge stitches are tied" # 14 pairs of courses x 2 edges x 4
+sed 's/^# structure = "basic"/structure = "adjusted"/; s/^# edge_friction = "auto"/edge_friction = 0.25/' \
+  jersey.toml >adjusted.toml
+knitmech check adjusted.toml
+expect_code 0
+expect_in out "adjusted: 14 turning arcs of 6.54 mm, one yarn of 2.4 m" "edge yarn     EA 19.2265 N, EI 5e-06 N mm^2" \
+  "friction 0.1 (edge yarn 0.25)"
+knitmech check --json adjusted.toml
+expect_code 0
+expect_in out '"name": "adjusted"' '"yarns": 1' '"turning_arcs": 14' '"bending_stiffness_N_mm2": 5e-06' '"friction": 0.25'
+
+# A yarn of filaments says so.
+sed 's/^poissons_ratio = .*/shear_modulus = "700 MPa"\nfilaments = 34\nfilament_diameter = "16 um"\ntwist = "0.4 \/mm"/' \
+  jersey.toml >filaments.toml
+knitmech check filaments.toml
+expect_code 0
+expect_in out "34 filaments of 0.016 mm, 0.4 turns per mm"
+
 # It runs nothing and leaves nothing.
 expect_no_file results
 

@@ -54,6 +54,24 @@ expect_code 0
 expect_in out '"status": "completed"' '"folder": "some/where"' '"quasi_static"'
 expect_same some/where/history.csv first.csv
 
+# The structure stands at the head of a run, and what ties gave way at its end.
+expect_no_words() {
+  for words in "${@:2}"; do
+    ! grep -qF -- "$words" "$1" || failed "$LAST: \"$words\" is in $1"
+  done
+}
+sed 's/^# structure = "basic"/structure = "tied"/' tiny.toml >tied.toml
+knitmech run tied.toml --no-pictures
+expect_code 0
+expect_in out "tied: 8 crossings of the edge stitches are tied" "Ties: gave way by at most " "of the yarn diameter."
+grep '"tie_stretch_mm": [0-9]' results/tied/summary.json >/dev/null || failed "no tie_stretch_mm in summary.json"
+sed 's/^# structure = "basic"/structure = "adjusted"/' tiny.toml >adjusted.toml
+knitmech run adjusted.toml --no-pictures
+expect_code 0
+expect_in out "adjusted: 1 turning arc of 6.54 mm, one yarn of "
+expect_no_words out "Ties:"
+expect_in results/adjusted/summary.json '"tie_stretch_mm": null'
+
 # A folder that is no run folder is never touched.
 mkdir mine
 echo "mine" >mine/notes.txt

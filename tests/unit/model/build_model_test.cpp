@@ -184,7 +184,7 @@ TEST(BuildModel, SectionMayBeGivenOutright) {
 TEST(BuildModel, YarnGivenHalfOrTwiceIsRefused) {
   Case half = example_case();
   half.yarn.poissons_ratio.reset();
-  EXPECT_THAT(complaint(half), HasSubstr("incomplete"));
+  EXPECT_THAT(complaint(half), HasSubstr("yarn.poissons_ratio is missing"));
   Case twice = example_case();
   twice.yarn.axial_stiffness = 3;
   EXPECT_THAT(complaint(twice), HasSubstr("twice"));

@@ -92,6 +92,26 @@ TEST_F(FabricPicture, TheColourTellsTheValue) {
   EXPECT_GT(yellow, 5);
 }
 
+TEST_F(FabricPicture, TheEdgeYarnHasAColourOfItsOwn) {
+  // Given a yarn whose upper half is of another section: blue below, ochre, without much blue, above.
+  model::Model model = model_;
+  model.sections.push_back(model.sections.front());
+  std::fill(model.element_section.begin() + 5, model.element_section.end(), 1);
+  const Image image = draw_fabric(model, frame_, options_);
+  int blue_above = 0, blue_below = 0, ochre_above = 0, ochre_below = 0;
+  for (int column = 0; column < image.width(); ++column) {
+    const auto is_ochre = [](const Colour& colour) { return colour[0] > 2 * colour[2]; };
+    blue_above += is_yarn(image.at(column, 100)) ? 1 : 0;
+    ochre_above += is_ochre(image.at(column, 100)) ? 1 : 0;
+    blue_below += is_yarn(image.at(column, 260)) ? 1 : 0;
+    ochre_below += is_ochre(image.at(column, 260)) ? 1 : 0;
+  }
+  EXPECT_EQ(blue_above, 0);
+  EXPECT_GT(ochre_above, 5);
+  EXPECT_GT(blue_below, 5);
+  EXPECT_EQ(ochre_below, 0);
+}
+
 TEST_F(FabricPicture, AWindowShowsAPartLarger) {
   const auto yarn_pixels = [&] {
     const Image image = draw_fabric(model_, frame_, options_);

@@ -59,12 +59,18 @@ TEST_F(FrameFile, HoldsOnePolylinePerYarn) {
   EXPECT_THAT(file_.arrays.at("Lines/connectivity").values, ElementsAre(0, 1, 2, 3, 4, 5, 6));
   EXPECT_THAT(file_.arrays.at("Lines/offsets").values, ElementsAre(3, 7));
   EXPECT_THAT(file_.arrays.at("CellData/yarn").values, ElementsAre(0, 1));
-  EXPECT_THAT(file_.arrays.at("CellData/course").values, ElementsAre(0, 1));
+}
+
+TEST_F(FrameFile, SaysCourseWaleAndSectionOfEveryNode) {
+  EXPECT_THAT(file_.arrays.at("PointData/course").values, ElementsAre(0, 0, 0, 1, 1, 1, 1));
+  EXPECT_THAT(file_.arrays.at("PointData/wale").values, ElementsAre(0, 0, 1, 0, 0, 1, 1));
+  EXPECT_THAT(file_.arrays.at("PointData/section").values, ElementsAre(0, 0, 0, 1, 1, 1, 1));
 }
 
 TEST_F(FrameFile, GivesBackEveryNumberOfTheNodesBitByBit) {
   expect_same("Points/points_mm", flat(frame_.points));
   expect_same("PointData/contact_force_N", flat(frame_.contact_force));
+  expect_same("PointData/tie_force_N", flat(frame_.tie_force));
   expect_same("PointData/rotation_wxyz", flat(frame_.rotations));
   expect_same("PointData/tube_radius_mm", {0.06, 0.06, 0.06, 0.1, 0.1, 0.1, 0.1});
   EXPECT_EQ(file_.arrays.at("Points/points_mm").components, 3);

@@ -54,6 +54,22 @@ model::HistoryRow row_at(double strain) {
   return row;
 }
 
+TEST_F(RunFolderTest, SaysByHowMuchTiesGaveWayInMillimetresAndDiametersIfThereAreAny) {
+  model::RunOutcome outcome;
+  outcome.largest_tie_stretch = 0.003;
+  RunFolder without_ties(dir_, "", model_);
+  without_ties.finish(outcome);
+  EXPECT_TRUE(summary().at("largest").at("tie_stretch_mm").is_null());
+  EXPECT_TRUE(summary().at("largest").at("tie_stretch_ratio").is_null());
+
+  model::Model tied = model_;
+  tied.ties = {{{0, 0.5}, {3, 0.5}}};
+  RunFolder with_ties(dir_, "", tied);
+  with_ties.finish(outcome);
+  EXPECT_EQ(summary().at("largest").at("tie_stretch_mm"), 0.003);
+  EXPECT_NEAR(summary().at("largest").at("tie_stretch_ratio").get<double>(), 0.003 / 0.12, 1e-15);
+}
+
 TEST_F(RunFolderTest, HoldsTheFilesOfARun) {
   // Given a run of three rows and two frames.
   RunFolder folder(dir_, "title = \"x\"\n", model_);

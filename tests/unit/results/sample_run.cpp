@@ -65,6 +65,7 @@ model::Frame awkward_frame(const model::Model& model, int index) {
     const Eigen::Vector3d imaginary = vector();
     frame.rotations.push_back(Eigen::Vector4d(number(), imaginary[0], imaginary[1], imaginary[2]).normalized());
     frame.contact_force.push_back(vector());
+    frame.tie_force.push_back(vector());
     frame.gap.push_back(i == 2 ? std::numeric_limits<double>::infinity() : number());
     for (auto* values :
          {&frame.axial_force, &frame.shear_force, &frame.bending_moment, &frame.torque, &frame.axial_strain,

@@ -129,5 +129,26 @@ TEST_F(PlaceOfElement, GivenTheLengthsOfTheLoop_ThenAsMuchYarnLiesOnTheLegsAsThe
   EXPECT_LT(on_leg, 1.05 * in_plan);
 }
 
+TEST(PlaceOfElementOnArc, GivenJoinedCourses_ThenItIsTheTurningArcOfTheLowerCourseAndOfNoWale) {
+  model::Case input = model::example_case();
+  input.fabric.structure = knit::Structure::adjusted;
+  input.fabric.wales = 2;
+  input.fabric.courses = 3;
+  const model::Model model = model::build_model(input);
+  const auto check = [&](int course, const char* edge) {
+    const auto foot = static_cast<std::size_t>(model.node_sets.at(edge)[static_cast<std::size_t>(course)]);
+    EXPECT_EQ(place_of_element(model, foot - 1).part, "foot");
+    EXPECT_EQ(place_of_element(model, foot - 1).course, course + 1);
+    for (const std::size_t element : {foot, foot + 1, foot + 3}) {
+      const YarnPlace place = place_of_element(model, element);
+      EXPECT_EQ(place.part, "turning arc");
+      EXPECT_EQ(place.course, course + 1);
+      EXPECT_FALSE(place.wale);
+    }
+  };
+  check(0, model::kRightEdge);
+  check(1, model::kLeftEdge);
+}
+
 }  // namespace
 }  // namespace knitmech::results
