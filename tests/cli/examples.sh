@@ -1,5 +1,5 @@
-# The first example gives the figures that its README promises: each row of the table there, `key` | figure | tolerance.
-# Another example may be named as third argument: bash examples.sh PROGRAM CHECKOUT 02-wale-tension
+# An example gives the figures that its README promises: each row of the table there, `key` | figure | tolerance.
+# The first one, or the one named as third argument: bash examples.sh PROGRAM CHECKOUT 02-wale-tension
 . "$(dirname "$0")/expect.sh" "$@"
 EXAMPLE=$CHECKOUT/examples/${3:-01-first-loop}
 
