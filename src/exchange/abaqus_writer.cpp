@@ -64,8 +64,8 @@ void write_introduction(std::ostream& out, const model::Model& model) {
   comment(out, "A knitted fabric, yarn by yarn, in a tensile test; for Abaqus/Explicit, in double precision.");
   comment(out, "Units: length mm, force N, time s, mass t, stress MPa, energy mJ, density t/mm^3.");
   comment(out, "x runs along the courses, y along the wales, z out of the plane of the fabric.");
-  comment(out, fmt::format("{} yarns, {} nodes, {} beam elements.", model.yarns.size(), model.n_nodes(),
-                           model.n_elements()));
+  comment(out, fmt::format("{} {}, {} nodes, {} beam elements.", model.yarns.size(),
+                           model.yarns.size() == 1 ? "yarn" : "yarns", model.n_nodes(), model.n_elements()));
   comment(out,
           fmt::format("The node set {} is held, the node set {} is driven along y.", test.held_set, test.driven_set));
   comment(out, fmt::format("Strain = displacement of {} / {} mm.", test.driven_set, abaqus_number(test.gauge_length)));

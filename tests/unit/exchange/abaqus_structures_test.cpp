@@ -102,6 +102,19 @@ TEST_P(TiedDeck, HasEquationsThatEliminateEachANodeOfItsOwnWhichNoGripHolds) {
   }
 }
 
+TEST_P(TiedDeck, HasEquationsOfWhichNoneUsesWhatAnotherEliminates) {
+  // So they can be imposed in any order.
+  std::set<std::pair<std::string, int>> eliminated;
+  for (const auto& equation : trip_.deck.equations) {
+    eliminated.insert({equation.terms.front().nodes, equation.terms.front().dof});
+  }
+  for (const auto& equation : trip_.deck.equations) {
+    for (std::size_t i = 1; i < equation.terms.size(); ++i) {
+      EXPECT_FALSE(eliminated.contains({equation.terms[i].nodes, equation.terms[i].dof})) << "line " << equation.line;
+    }
+  }
+}
+
 TEST(TiedDeckText, HasTheEquationsAsTheKeywordGuideAsksFor) {
   // The number of terms; then node, degree of freedom, coefficient, at most four terms to a line.
   const RoundTrip trip(case_of(knit::Structure::tied));
@@ -184,6 +197,7 @@ TEST_F(AdjustedDeck, HasOneYarnAndTheArcsInTheSetOfTheEdgeSection) {
   EXPECT_EQ(sets.at("SECTION_2").members, elements_of_arcs());
   EXPECT_EQ(sets.at("SECTION_1").members.size() + sets.at("SECTION_2").members.size(), trip_.deck.elements.size());
   EXPECT_EQ(sets.at("YARNS").members.size(), trip_.deck.elements.size());
+  EXPECT_THAT(lines_of(trip_.text), testing::Contains(HasSubstr("** 1 yarn, ")));
 }
 
 TEST_F(AdjustedDeck, HasTheYarnAsACircleAndTheEdgeYarnAsAGeneralSectionWithItsStiffnesses) {
