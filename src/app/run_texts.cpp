@@ -134,6 +134,10 @@ std::string run_head_text(const LoadedCase& loaded, const model::FabricFacts& fa
   add("structure", structure_text(loaded.input, facts));
   add("mesh", counts_text(facts));
   add("loop length", fmt::format("{:.5g} mm", facts.stitch_length));
+  if (facts.edge_section) {
+    add("edge yarn",
+        fmt::format("{}, friction {:.3g}", stiffness_text(*facts.edge_section), edge_friction(loaded.input)));
+  }
   add("test", test_text(loaded.model.test));
   add("mass scaling", mass_scaling_text(loaded.input, mass_scaling));
   const bool replaces = std::filesystem::exists(folder / "summary.json");

@@ -68,7 +68,7 @@ grep '"tie_stretch_mm": [0-9]' results/tied/summary.json >/dev/null || failed "n
 sed 's/^# structure = "basic"/structure = "adjusted"/' tiny.toml >adjusted.toml
 knitmech run adjusted.toml --no-pictures
 expect_code 0
-expect_in out "adjusted: 1 turning arc of 6.54 mm, one yarn of "
+expect_in out "adjusted: 1 turning arc of 6.54 mm, one yarn of " "edge yarn     EA 19.2265 N, EI 5e-06 N mm^2, GJ 3.59712e-06 N mm^2, friction 0.1"
 expect_no_words out "Ties:"
 expect_in results/adjusted/summary.json '"tie_stretch_mm": null'
 
