@@ -30,9 +30,7 @@ struct Yarn {
   model::State state;
 
   explicit Yarn(double bending = 5e-6)
-      : model(yarn_with_bending(bending)),
-        limit(model, beam::make_elements(model, 1.0, 0.0)),
-        state(test::state_of(model)) {}
+      : model(yarn_with_bending(bending)), limit(beam::make_elements(model, 1.0, 0.0)), state(test::state_of(model)) {}
 
   model::NodalLoads loads() {
     model::NodalLoads loads(model.nodes.size());

@@ -185,12 +185,5 @@ TEST(TiedModel, GivenFineElements_ThenEachTieJoinsTwoElementsThatCrossInPlan) {
   }
 }
 
-TEST(TiedModel, ItsTiesAreTwiceAsStiffAsAContact) {
-  Case input = case_of(knit::Structure::tied);
-  EXPECT_EQ(build_model(input).tie_stiffness, 2 * build_model(input).contact_stiffness);
-  input.contact.stiffness = 3;
-  EXPECT_EQ(build_model(input).tie_stiffness, 6);
-}
-
 }  // namespace
 }  // namespace knitmech::model
