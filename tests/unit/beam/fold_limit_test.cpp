@@ -70,9 +70,9 @@ TEST(FoldLimit, GivenAFoldUpTo149Degrees_ThenNothingResists) {
 }
 
 TEST(FoldLimit, GivenAFoldBeyond150Degrees_ThenItIsResistedInProportionToWhatIsBeyond) {
-  // k = EA L0 / 64, W = k / 2 (theta - 2.618)^2, also beyond 180 degrees.
+  // k = EA L0 / 8, W = k / 2 (theta - 2.618)^2, also beyond 180 degrees.
   Yarn yarn;
-  const double k = kAxial * kLength / 64;
+  const double k = kAxial * kLength / 8;
   for (const double degrees : {151.0, 170.0, 180.0, 200.0, 300.0}) {
     const double beyond = degrees * kDegree - 2.618;
     yarn.fold(degrees * kDegree, Vector3d::UnitZ());
