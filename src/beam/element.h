@@ -38,10 +38,11 @@ struct ElementProperties {
 
 /// Strains and section forces of one element in its mid frame (the stress-free axes turned by the mean of both nodes).
 struct ElementState {
-  Matrix3 mid;       ///< R_m, from the mid frame to space
-  Vector3 chord;     ///< rho = R_m^T (x_b - x_a) [mm]
-  Vector3 relative;  ///< u sin(phi): vector part of the relative rotation
-  double cosine;     ///< cos(phi), phi half the relative angle
+  Matrix3 mid;           ///< R_m, from the mid frame to space
+  Vector3 chord;         ///< rho = R_m^T (x_b - x_a) [mm]
+  double inverse_chord;  ///< 1 / |rho| [1/mm]
+  Vector3 relative;      ///< u sin(phi): vector part of the relative rotation
+  double cosine;         ///< cos(phi), phi half the relative angle
   HalfAngle half;
   double axial_strain;   ///< epsilon [-]
   Vector3 shear_strain;  ///< gamma, across e1 [-]
@@ -88,7 +89,9 @@ KNITMECH_INLINE ElementState element_state(const ElementProperties& element, Vec
   const double chord_length = length(state.chord) + kNoDivisionByZero;
   state.axial_strain = chord_length * element.inverse_length - 1;
   state.shear_strain = element.inverse_length * (state.chord - dot(element.axis, state.chord) * element.axis);
-  state.force = (element.axial * state.axial_strain / chord_length) * state.chord + element.shear * state.shear_strain;
+  state.inverse_chord = 1 / chord_length;
+  state.force =
+      (element.axial * state.axial_strain * state.inverse_chord) * state.chord + element.shear * state.shear_strain;
   const double twist = dot(element.axis, state.rotation);
   state.moment = element.inverse_length *
                  (element.bending * state.rotation + ((element.torsion - element.bending) * twist) * element.axis);

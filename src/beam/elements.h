@@ -36,7 +36,8 @@ struct Elements {
 
 /// Cuts the yarns of a model into elements.
 /// \param mass_scaling factor on all masses; enters the viscosity only, `mass` stays unscaled
-/// \param bulk_viscosity linear coefficient b1 [-]: axial force b1 rho c A (v_b - v_a) . t with c = sqrt(E / rho)
+/// \param bulk_viscosity linear coefficient b1 [-]: axial force b1 rho c A (v_b - v_a) . t along the chord, t its
+/// direction, with c = sqrt(E / rho)
 [[nodiscard]] Elements make_elements(const model::Model& model, double mass_scaling, double bulk_viscosity);
 
 }  // namespace knitmech::beam

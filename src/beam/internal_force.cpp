@@ -38,8 +38,11 @@ struct Input {
     return {{axis_x[i], axis_y[i], axis_z[i]}, inverse_length[i], axial[i], shear[i], torsion[i], bending[i]};
   }
   [[nodiscard]] KNITMECH_INLINE ElementState state(const ElementProperties& element, std::size_t i) const {
-    return element_state(element, {x[i + 1] - x[i], y[i + 1] - y[i], z[i + 1] - z[i]}, {qw[i], {qx[i], qy[i], qz[i]}},
+    return element_state(element, chord(i), {qw[i], {qx[i], qy[i], qz[i]}},
                          {qw[i + 1], {qx[i + 1], qy[i + 1], qz[i + 1]}});
+  }
+  [[nodiscard]] KNITMECH_INLINE Vector3 chord(std::size_t i) const {
+    return {x[i + 1] - x[i], y[i + 1] - y[i], z[i + 1] - z[i]};
   }
   [[nodiscard]] KNITMECH_INLINE Vector3 speed_difference(std::size_t i) const {
     return {vx[i + 1] - vx[i], vy[i + 1] - vy[i], vz[i + 1] - vz[i]};
@@ -50,6 +53,7 @@ struct Output {
   double* __restrict fx, * __restrict fy, * __restrict fz;
   double* __restrict ax, * __restrict ay, * __restrict az;
   double* __restrict bx, * __restrict by, * __restrict bz;
+  double* __restrict approach;
   double* __restrict loss;
 
   explicit Output(ElementWork& w)
@@ -62,6 +66,7 @@ struct Output {
         bx(w.moment_b.x.data()),
         by(w.moment_b.y.data()),
         bz(w.moment_b.z.data()),
+        approach(w.approach.data()),
         loss(w.damping_loss.data()) {}
 };
 
@@ -70,9 +75,9 @@ KNITMECH_VECTORISE void element_pass(const Input in, const Output out, std::size
   for (std::size_t i = 0; i < n; ++i) {
     const ElementProperties element = in.properties(i);
     const ElementState state = in.state(element, i);
-    const double approach = dot(rotate(state.mid, element.axis), in.speed_difference(i));
+    const double approach = state.inverse_chord * dot(in.chord(i), in.speed_difference(i));
     const double viscous = in.viscosity[i] * approach;
-    const ElementLoads loads = element_loads(state, state.force + viscous * element.axis);
+    const ElementLoads loads = element_loads(state, state.force + (viscous * state.inverse_chord) * state.chord);
     out.fx[i] = loads.force_a.x;
     out.fy[i] = loads.force_a.y;
     out.fz[i] = loads.force_a.z;
@@ -82,7 +87,9 @@ KNITMECH_VECTORISE void element_pass(const Input in, const Output out, std::size
     out.bx[i] = loads.moment_b.x;
     out.by[i] = loads.moment_b.y;
     out.bz[i] = loads.moment_b.z;
-    out.loss[i] += step * viscous * approach;
+    const double before = out.approach[i];
+    out.loss[i] += 0.5 * step * in.viscosity[i] * before * (before + approach);
+    out.approach[i] = approach;
   }
 }
 

@@ -71,7 +71,7 @@ void ExplicitSolver::look_at_stable_step() {
 }
 
 void ExplicitSolver::compute_forces() {
-  beam::set_internal_force(elements_, state_, step_.mean(), work_, loads_);
+  beam::set_internal_force(elements_, state_, kick_, work_, loads_);
   folds_.add_moments(state_, loads_);
   contact_.add_forces(state_, step_.before, loads_);
   largest_penetration_ = std::max(largest_penetration_, contact_.largest_penetration());
@@ -103,6 +103,7 @@ void ExplicitSolver::step() {
     const Vector3 w = 0.5 * (angular_before.at(i) + state_.angular_velocity.at(i));
     mass_damping_loss_ += settings_.mass_damping * h * (inertia_.mass[i] * dot(v, v) + inertia_.rotary[i] * dot(w, w));
   }
+  kick_ = h;
   step_.before = step_.after;
   forces_are_current_ = false;
   ++steps_;

@@ -72,6 +72,7 @@ class ExplicitSolver {
   model::State state_;
   model::NodalLoads loads_;
   StepLengths step_;
+  double kick_ = 0;  ///< [s], time over which the last forces have acted
   double smallest_radius_ = 0;               ///< [mm]
   double step_in_use_ = 0, first_step_ = 0;  ///< [s]
   int calm_looks_ = 0;                       ///< looks since the step could have grown
