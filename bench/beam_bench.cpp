@@ -4,6 +4,8 @@
 
 #include "beam/internal_force.h"
 #include "beam/nodal_inertia.h"
+#include "beam/nonlinear_axial.h"
+#include "beam/strength_watch.h"
 #include "bench_fabric.h"
 #include "solve/integrate.h"
 
@@ -29,6 +31,24 @@ void beam_forces(benchmark::State& benchmark) {
   report(benchmark, model);
 }
 BENCHMARK(beam_forces)->Arg(10)->Arg(20)->Arg(30);
+
+/// What a measured curve and a strength cost a step besides.
+void curve_and_strength(benchmark::State& benchmark) {
+  model::Model model = main_example(static_cast<int>(benchmark.range(0)));
+  const double axial = model.sections.front().axial_stiffness;
+  model.axial_laws.emplace(0, yarn::AxialLaw({{0, 0}, {0.05, 0.05 * axial}, {0.1, 0.08 * axial}, {0.2, 0.12 * axial}}));
+  model.strengths = {{0, axial}};
+  beam::Elements elements = beam::make_elements(model, 1e3, 0.06);
+  const beam::NonlinearAxial nonlinear(model);
+  const beam::StrengthWatch watch(model, elements);
+  const model::State state = state_of(model);
+  for ([[maybe_unused]] auto _ : benchmark) {
+    nonlinear.set_secants(state, elements);
+    benchmark::DoNotOptimize(watch.overloaded(state));
+  }
+  report(benchmark, model);
+}
+BENCHMARK(curve_and_strength)->Arg(10)->Arg(30);
 
 void integration(benchmark::State& benchmark) {
   const model::Model model = main_example(static_cast<int>(benchmark.range(0)));

@@ -11,6 +11,7 @@
 #include "app/structure_texts.h"
 #include "base/quantity.h"
 #include "results/ravelling.h"
+#include "results/yarn_breaks.h"
 
 namespace knitmech::app {
 namespace {
@@ -63,6 +64,22 @@ std::string crossings_text(const model::RunOutcome& outcome) {
 
 using Line = std::pair<const char*, std::string>;
 
+/// "EA that of zero strain, along a measured curve to 20 % and 2.6 N; breaks at 6 N, which ends the test"; empty for a
+/// linear yarn that never breaks.
+std::string curve_and_strength_text(const model::Model& model) {
+  std::vector<std::string> parts;
+  if (const auto law = model.axial_laws.find(0); law != model.axial_laws.end()) {
+    const double last = law->second.last_strain();
+    parts.push_back(fmt::format("EA that of zero strain, along a measured curve to {} and {}", percent_text(last),
+                                force_text(law->second.force(last))));
+  }
+  if (const auto strength = model.strengths.find(0); strength != model.strengths.end()) {
+    parts.push_back(fmt::format("breaks at {}{}", force_text(strength->second),
+                                model.test.on_break == model::OnBreak::stop ? ", which ends the test" : ""));
+  }
+  return fmt::format("{}", fmt::join(parts, "; "));
+}
+
 /// The yarn and, where there is one, the edge yarn.
 std::vector<Line> yarn_lines(const LoadedCase& loaded, const model::FabricFacts& facts) {
   std::vector<Line> lines = {{"yarn", stiffness_text(facts.section)}};
@@ -71,6 +88,8 @@ std::vector<Line> yarn_lines(const LoadedCase& loaded, const model::FabricFacts&
     if (!filaments.empty()) lines.emplace_back("", filaments);
   };
   add_filaments(loaded.input.yarn);
+  const std::string limits = curve_and_strength_text(loaded.model);
+  if (!limits.empty()) lines.emplace_back("", limits);
   if (!facts.edge_section) return lines;
   lines.emplace_back("edge yarn", stiffness_text(*facts.edge_section));
   add_filaments(loaded.input.edge_yarn);
@@ -147,13 +166,17 @@ std::string run_head_text(const LoadedCase& loaded, const model::FabricFacts& fa
 
 std::string run_end_text(const model::Model& model, const model::RunOutcome& outcome, const model::HistoryRow& last,
                          const results::Quality& quality) {
-  const char* const how = outcome.status == model::RunStatus::completed ? "Reached" : "Stopped at";
-  const std::string ravelling = results::ravelling_text(model, outcome);
+  const bool reached = outcome.status == model::RunStatus::completed && outcome.reason.empty();
+  const char* const how = reached ? "Reached" : "Stopped at";
   const std::string ties = ties_text(model, outcome);
+  std::string events;
+  for (const std::string& text : {results::breaks_text(model, outcome), results::ravelling_text(model, outcome)}) {
+    if (!text.empty()) events += text + "\n";
+  }
   return fmt::format("{} {} strain with {} after {} ({} steps).\nContact: {}.\n{}Crossings: {}.\n{}Quality: {}\n", how,
                      percent_text(outcome.strain), force_text(last.force_top), duration_text(outcome.wall_seconds),
                      outcome.steps, contacts_text(last, quality), ties.empty() ? "" : ties + "\n",
-                     crossings_text(outcome), ravelling.empty() ? "" : ravelling + "\n", quality.verdict);
+                     crossings_text(outcome), events, quality.verdict);
 }
 
 }  // namespace knitmech::app

@@ -14,7 +14,8 @@ namespace knitmech::beam {
 struct Elements {
   std::vector<double> axis_x, axis_y, axis_z;  ///< unit vector along the stress-free chord
   std::vector<double> inverse_length;          ///< 1/L0 [1/mm]
-  std::vector<double> axial;                   ///< EA [N]
+  std::vector<double> axial;                   ///< EA [N]; N / strain where a measured curve is followed
+  std::vector<double> stiffest;                ///< [N], largest dN / d(strain): EA, or largest slope of the curve
   std::vector<double> shear;                   ///< k G A', after slenderness compensation [N]
   std::vector<double> torsion;                 ///< GJ [N mm^2]
   std::vector<double> bending;                 ///< EI [N mm^2]
@@ -37,7 +38,7 @@ struct Elements {
 /// Cuts the yarns of a model into elements.
 /// \param mass_scaling factor on all masses; enters the viscosity only, `mass` stays unscaled
 /// \param bulk_viscosity linear coefficient b1 [-]: axial force b1 rho c A (v_b - v_a) . t along the chord, t its
-/// direction, with c = sqrt(E / rho)
+/// direction, with c = sqrt(E / rho), E that of the largest slope of a measured curve
 [[nodiscard]] Elements make_elements(const model::Model& model, double mass_scaling, double bulk_viscosity);
 
 }  // namespace knitmech::beam

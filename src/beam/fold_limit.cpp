@@ -41,4 +41,8 @@ void FoldLimit::add_moments(const model::State& state, model::NodalLoads& loads)
   }
 }
 
+void FoldLimit::remove(std::size_t element) {
+  std::erase_if(soft_, [&](const SoftElement& here) { return here.node == element; });
+}
+
 }  // namespace knitmech::beam

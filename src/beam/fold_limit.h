@@ -28,6 +28,8 @@ class FoldLimit {
 
   /// Adds the moments on the nodes.
   void add_moments(const model::State& state, model::NodalLoads& loads);
+  /// Forgets an element, which has broken.
+  void remove(std::size_t element);
   /// At the last call of add_moments [mJ].
   [[nodiscard]] double energy() const { return energy_; }
 

@@ -28,7 +28,7 @@ NodalInertia lump_inertia(const Elements& elements, double mass_scaling) {
     const double axial = elements.axial[i];
     const double shear = elements.shear[i];
     const double mass = 0.5 * mass_scaling * elements.mass[i];
-    const double limit = std::max(2 * axial, 4 * shear);  // [N], highest frequency squared times L0 m
+    const double limit = std::max(2 * elements.stiffest[i], 4 * shear);  // [N], highest frequency squared times L0 m
 
     const double for_shear = mass * length * length * shear / (2 * (limit - 2 * shear));
     const double for_bending = 2 * mass * elements.bending[i] / limit;

@@ -25,9 +25,10 @@ struct NodalInertia {
 ///     folding  w^2 = 2 k / J
 ///
 /// (eigenvalues of the element's stiffness, which couples lateral motion with the sum of the rotations and nothing
-/// else). J is twice the least value for which none of the last four exceeds max(2 EA, 4 k G A') / (L0 m), and never
-/// less than the section's own rotary inertia rho I L0 / 2. The highest frequency of the assembled mesh is at most the
-/// highest of any element (Irons and Treharne 1971). \param mass_scaling factor on all masses
+/// else), EA the largest slope of a measured curve in the first. J is twice the least value for which none of the last
+/// four exceeds max(2 EA, 4 k G A') / (L0 m), and never less than the section's own rotary inertia rho I L0 / 2. The
+/// highest frequency of the assembled mesh is at most the highest of any element (Irons and Treharne 1971). \param
+/// mass_scaling factor on all masses
 [[nodiscard]] NodalInertia lump_inertia(const Elements& elements, double mass_scaling);
 
 }  // namespace knitmech::beam

@@ -132,6 +132,8 @@ Model build_model(const Case& input) {
   Model model = model_of_yarns(fabric);
   model.title = input.title;
   model.sections = {section};
+  if (const auto law = axial_law_of(input)) model.axial_laws.emplace(0, *law);
+  if (input.yarn.strength) model.strengths.emplace(0, *input.yarn.strength);
   if (input.fabric.structure == knit::Structure::adjusted) add_edge_yarn(model, input);
   add_node_sets(model, fabric);
   add_ties(model, fabric);
@@ -141,6 +143,7 @@ Model build_model(const Case& input) {
       input.contact.stiffness.value_or(kContactStiffnessShare * section.axial_stiffness / section.diameter);
   model.centreline = input.contact.centreline;
   model.test.grips = input.test.grips;
+  model.test.on_break = input.test.on_break;
   model.test.gauge_length = height_of(model.nodes);
   model.test.strain = input.test.strain;
   model.test.speed = input.test.speed;

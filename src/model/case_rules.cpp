@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -92,6 +93,15 @@ std::optional<BrokenRule> stiffness_rule(const YarnStiffness& yarn, const std::s
   return std::nullopt;
 }
 
+std::optional<BrokenRule> strength_rule(const Case& input) {
+  const auto law = axial_law_of(input);
+  if (!law || !input.yarn.strength || std::isfinite(law->strain_at(*input.yarn.strength))) return std::nullopt;
+  return BrokenRule{"yarn.strength",
+                    fmt::format("{} N is never reached by yarn.curve_forces, which end flat at {} N; give a strength "
+                                "that is not above it",
+                                *input.yarn.strength, input.yarn.curve_forces.back())};
+}
+
 std::optional<BrokenRule> curve_rule(const Case& input) {
   const Case::Yarn& yarn = input.yarn;
   const auto broken = [](const char* key, std::string complaint) { return BrokenRule{key, std::move(complaint)}; };
@@ -112,7 +122,7 @@ std::optional<BrokenRule> curve_rule(const Case& input) {
   } catch (const InputError& error) {
     return broken("yarn.curve_forces", std::string("and yarn.curve_strains are no tensile curve: ") + error.what());
   }
-  return std::nullopt;
+  return strength_rule(input);
 }
 
 std::optional<BrokenRule> frames_rule(const Case& input) {

@@ -18,6 +18,7 @@ struct HistoryRow {
   double contact_energy = 0;        ///< [mJ], stored in the contact penalty, and the elastic stick
   double friction_loss = 0;         ///< [mJ]
   double damping_loss = 0;          ///< [mJ], bulk viscosity and mass damping
+  double break_loss = 0;            ///< [mJ], stored energy that vanished when yarns broke
   double width = 0;                 ///< [mm], extent along x at mid-height of the fabric
   int contacts = 0;                 ///< contact points with a force
   double normal_force = 0;          ///< [N], magnitudes of the normal forces of all contacts, summed
@@ -62,6 +63,7 @@ struct Frame {
   std::vector<Eigen::Vector3d> tie_force;      ///< [N], node, by ties to other yarns
   std::vector<double> gap;  ///< [mm], node, least gap to another piece of yarn; +infinity where none is near
   std::vector<ContactRecord> contacts;  ///< those with a force
+  std::vector<int> broken;              ///< elements that have broken, ascending; their fields are zero
 };
 
 }  // namespace knitmech::model

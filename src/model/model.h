@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "model/case.h"
+#include "yarn/axial_law.h"
 #include "yarn/section.h"
 
 namespace knitmech::model {
@@ -43,6 +44,7 @@ struct TensileTest {
   double strain = 0;  ///< [-], at the end
   double speed = 0;   ///< [mm/s]
   double ramp = 0;    ///< [s], the speed grows linearly from 0 over this time, then stays
+  OnBreak on_break = OnBreak::stop;  ///< what follows when a yarn breaks
 
   /// Displacement of the driven set [mm] at a time [s].
   [[nodiscard]] double displacement(double time) const;
@@ -72,6 +74,10 @@ struct Model {
   std::vector<double> arc_length;  ///< [mm], along the true centreline from the yarn's first node
   std::vector<ModelYarn> yarns;
   std::vector<yarn::Section> sections;
+  /// Of sections that follow a measured curve, by index; others are linear, N = EA strain. The section's EA is the
+  /// law's slope at zero.
+  std::map<int, yarn::AxialLaw> axial_laws;
+  std::map<int, double> strengths;   ///< [N], axial force at which a section breaks, by index; others never do
   std::vector<int> element_section;  ///< index into sections, per element; a yarn's last entry repeats the one before
   std::vector<int> course, wale;     ///< of each node, counted from 0; knit::kNoWale on a turning arc between courses
   std::vector<Tie> ties;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,15 +14,25 @@ struct Ravelling {
   double strain = 0;                  ///< [-]
   int yarn = 0;                       ///< whose end, index into Model::yarns
   bool is_last_end = false;           ///< the end at the yarn's last node, else that at its first
+  std::optional<int> broken_end;      ///< the end is not one of these but where the yarn broke: its node
   int other_yarn = 0;                 ///< that it slipped over
   double other_place = 0;             ///< [mm], along the other yarn from its first node
   Eigen::Vector3d position{0, 0, 0};  ///< [mm], of that place
 };
 
+/// An element of a yarn whose axial force reached the strength of its section.
+struct YarnBreak {
+  double strain = 0;                  ///< [-], of the test
+  int element = 0;                    ///< by its first node
+  double axial_strain = 0;            ///< [-], of the element
+  double axial_force = 0;             ///< [N], without viscosity
+  Eigen::Vector3d position{0, 0, 0};  ///< [mm], of the element's middle
+};
+
 /// How a simulation ended. A simulation that cannot go on is an outcome with its reason, not an exception.
 struct RunOutcome {
   RunStatus status = RunStatus::completed;
-  std::string reason;  ///< failed: when, where and what happened; empty otherwise
+  std::string reason;  ///< failed, or completed before its end by a break: when, where and what happened; else empty
   std::string advice;  ///< failed: what to try
   double time = 0;     ///< [s], simulated
   double strain = 0;   ///< [-], reached
@@ -33,6 +44,7 @@ struct RunOutcome {
   int lost_crossings = 0;           ///< yarns that passed through each other
   long crossing_checks = 0;         ///< how often all crossings were checked
   std::vector<Ravelling> ravelled;  ///< in the order of time
+  std::vector<YarnBreak> breaks;    ///< in the order of time
   double wall_seconds = 0;          ///< [s], real time in the solver
 };
 

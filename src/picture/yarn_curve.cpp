@@ -1,6 +1,7 @@
 #include "picture/yarn_curve.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 
 namespace knitmech::picture {
 namespace {
@@ -49,7 +50,7 @@ std::vector<CurvePiece> yarn_curves(const model::Model& model, const model::Fram
                        .node = node,
                        .yarn = static_cast<int>(yarn),
                        .continues_piece_before = continues};
-      continues = is_finite(piece);
+      continues = is_finite(piece) && !std::ranges::binary_search(frame.broken, node);
       if (continues) {
         pieces.push_back(std::move(piece));
       }

@@ -26,7 +26,7 @@ struct CurvePiece {
 /// The centrelines of a frame, element by element. The tangents are those of the true loop curve at the start, turned
 /// with their nodes, and as long as the element's rest arc length, so the yarn looks smooth on a coarse mesh.
 ///
-/// Elements with a position or rotation that is not a finite number are left out.
+/// Elements that have broken, or have a position or rotation that is not a finite number, are left out.
 [[nodiscard]] std::vector<CurvePiece> yarn_curves(const model::Model& model, const model::Frame& frame);
 
 }  // namespace knitmech::picture

@@ -60,10 +60,10 @@ std::optional<YarnField> yarn_field(ColourBy colour_by, const model::Model& mode
       field = {"Contact force [N]", magnitudes(frame.contact_force)};
       break;
     case ColourBy::curvature:
-      field = {"Curvature change [1/mm]", results::average_to_nodes(model, frame.curvature)};
+      field = {"Curvature change [1/mm]", results::average_to_nodes(model, frame.broken, frame.curvature)};
       break;
     case ColourBy::axial_force:
-      field = {"Axial force [N]", results::average_to_nodes(model, frame.axial_force)};
+      field = {"Axial force [N]", results::average_to_nodes(model, frame.broken, frame.axial_force)};
       break;
     case ColourBy::out_of_plane:
       field = {"Out of plane [mm]", z_of(frame.points)};

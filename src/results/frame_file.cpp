@@ -5,9 +5,9 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <numeric>
 #include <stdexcept>
 
+#include "model/places.h"
 #include "results/node_values.h"
 #include "results/vtk_xml.h"
 
@@ -69,7 +69,7 @@ std::string field_arrays(const Model& model, const Frame& frame) {
 std::string point_arrays(const Model& model, const Frame& frame) {
   std::string text;
   for (const auto& [name, values] : element_fields(frame)) {
-    text += vtk_array(name, average_to_nodes(model, values));
+    text += vtk_array(name, average_to_nodes(model, frame.broken, values));
   }
   text += vtk_array("contact_force_N", frame.contact_force);
   text += vtk_array("contact_force_magnitude_N", magnitudes(frame.contact_force));
@@ -84,17 +84,26 @@ std::string point_arrays(const Model& model, const Frame& frame) {
   return text;
 }
 
-std::string cell_arrays(const Model& model) {
-  std::vector<std::int32_t> yarn_ids(model.yarns.size());
-  std::iota(yarn_ids.begin(), yarn_ids.end(), 0);
+/// Yarns as they are drawn: in pieces where they have broken, without pieces of a single node.
+std::vector<model::ModelYarn> drawn_pieces(const Model& model, const Frame& frame) {
+  std::vector<model::ModelYarn> pieces = model::pieces_of_yarns(model, frame.broken);
+  if (!frame.broken.empty()) std::erase_if(pieces, [](const model::ModelYarn& piece) { return piece.n_nodes < 2; });
+  return pieces;
+}
+
+std::string cell_arrays(const Model& model, const std::vector<model::ModelYarn>& pieces) {
+  std::vector<std::int32_t> yarn_ids;
+  for (const model::ModelYarn& piece : pieces) {
+    yarn_ids.push_back(model::yarn_of_node(model, static_cast<std::size_t>(piece.first_node)));
+  }
   return vtk_array("yarn", yarn_ids);
 }
 
-VtkCells lines(const Model& model) {
+VtkCells lines(const std::vector<model::ModelYarn>& pieces) {
   VtkCells cells;
-  for (const model::ModelYarn& yarn : model.yarns) {
-    for (int i = 0; i < yarn.n_nodes; ++i) {
-      cells.connectivity.push_back(yarn.first_node + i);
+  for (const model::ModelYarn& piece : pieces) {
+    for (int i = 0; i < piece.n_nodes; ++i) {
+      cells.connectivity.push_back(piece.first_node + i);
     }
     cells.ends.push_back(static_cast<std::int64_t>(cells.connectivity.size()));
   }
@@ -121,12 +130,13 @@ std::string frame_file_name(int index) {
 
 std::string frame_text(const Model& model, const Frame& frame) {
   check_sizes(model, frame);
+  const std::vector<model::ModelYarn> pieces = drawn_pieces(model, frame);
   return vtk_poly_data_text({.field_arrays = field_arrays(model, frame),
                              .points = frame.points,
                              .point_arrays = point_arrays(model, frame),
                              .verts = {},
-                             .lines = lines(model),
-                             .cell_arrays = cell_arrays(model)});
+                             .lines = lines(pieces),
+                             .cell_arrays = cell_arrays(model, pieces)});
 }
 
 }  // namespace knitmech::results

@@ -10,7 +10,8 @@ namespace knitmech::results {
 /// Name of the file of a frame inside the folder frames/: frame_0000.vtp, frame_0001.vtp, ...
 [[nodiscard]] std::string frame_file_name(int index);
 
-/// A frame as a ParaView .vtp file (vtk_xml.h): one polyline per yarn, fields at its nodes.
+/// A frame as a ParaView .vtp file (vtk_xml.h): one polyline per yarn, fields at its nodes. A yarn that
+/// has broken is as many polylines as it has pieces; the nodes of a piece of one node belong to none.
 ///
 /// A polyline per yarn is what ParaView's Tube filter turns into smooth yarns coloured by point data, so element
 /// quantities are given at the nodes (average_to_nodes()); their exact values, one per element, are in the field data

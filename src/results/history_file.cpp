@@ -54,7 +54,7 @@ HistoryRow parse_row(std::string_view line, const std::vector<std::string_view>&
   std::size_t at = 0;
   for (double* member : {&row.time, &row.displacement, &row.strain, &row.force_top, &row.force_bottom,
                          &row.external_work, &row.internal_energy, &row.kinetic_energy, &row.contact_energy,
-                         &row.friction_loss, &row.damping_loss, &row.width}) {
+                         &row.friction_loss, &row.damping_loss, &row.break_loss, &row.width}) {
     *member = parse_number<double>(cells[at], columns[at], place);
     ++at;
   }
@@ -76,10 +76,10 @@ void remove_carriage_return(std::string_view& line) {
 }  // namespace
 
 std::string history_line(const HistoryRow& row) {
-  return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", row.time, row.displacement, row.strain,
+  return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", row.time, row.displacement, row.strain,
                      row.force_top, row.force_bottom, row.external_work, row.internal_energy, row.kinetic_energy,
-                     row.contact_energy, row.friction_loss, row.damping_loss, row.width, row.contacts, row.normal_force,
-                     row.largest_elastic_slip, row.largest_penetration, row.step);
+                     row.contact_energy, row.friction_loss, row.damping_loss, row.break_loss, row.width, row.contacts,
+                     row.normal_force, row.largest_elastic_slip, row.largest_penetration, row.step);
 }
 
 std::vector<HistoryRow> read_history(const std::filesystem::path& path) {

@@ -14,6 +14,10 @@ namespace knitmech::results {
 [[nodiscard]] std::vector<double> average_to_nodes(const model::Model& model,
                                                    const std::vector<double>& element_values);
 
+/// The same where yarns have broken (Frame::broken): the nodes of a broken element get the value of their other one.
+[[nodiscard]] std::vector<double> average_to_nodes(const model::Model& model, const std::vector<int>& broken,
+                                                   const std::vector<double>& element_values);
+
 /// Element values without the unused entry at the end of each yarn: one entry per element, in the order of the nodes.
 [[nodiscard]] std::vector<double> elements_only(const model::Model& model, const std::vector<double>& element_values);
 

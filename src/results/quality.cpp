@@ -171,8 +171,8 @@ void set_ratios(Quality& quality, Rows rows) {
 }  // namespace
 
 double energy_residual(const HistoryRow& row) {
-  return row.internal_energy + row.kinetic_energy + row.contact_energy + row.friction_loss + row.damping_loss -
-         row.external_work;
+  return row.internal_energy + row.kinetic_energy + row.contact_energy + row.friction_loss + row.damping_loss +
+         row.break_loss - row.external_work;
 }
 
 std::size_t first_row_after_toe(const std::vector<HistoryRow>& history) {

@@ -33,7 +33,7 @@ struct Quality {
 };
 
 /// Energy that is not accounted for [mJ]:
-/// internal + kinetic + contact + friction loss + damping loss - external work.
+/// internal + kinetic + contact + friction loss + damping loss + break loss - external work.
 [[nodiscard]] double energy_residual(const model::HistoryRow& row);
 
 /// Index of the first row after the toe region; history.size() if the run never left it.

@@ -11,7 +11,7 @@ namespace knitmech::results {
 /// left.
 struct RavelledPlace {
   int course = 0;        ///< of the yarn whose end it is
-  std::string side;      ///< "left" or "right": which of its ends
+  std::string side;      ///< "left" or "right": which of its ends; "broken": one that it has since it broke
   int other_course = 0;  ///< of the yarn that it slipped over
   int other_wale = 0;
 };

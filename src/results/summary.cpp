@@ -82,6 +82,7 @@ Json final_block(const std::vector<HistoryRow>& history, const RunOutcome& outco
   add("internal_energy_mJ", &HistoryRow::internal_energy);
   add("friction_loss_mJ", &HistoryRow::friction_loss);
   add("damping_loss_mJ", &HistoryRow::damping_loss);
+  add("break_loss_mJ", &HistoryRow::break_loss);
   add("width_mm", &HistoryRow::width);
   return block;
 }
@@ -121,21 +122,23 @@ Json largest_block(const Model& model, const std::vector<HistoryRow>& history, c
           {"tie_stretch_ratio", number(tie_stretch_ratio)}};
 }
 
+Json place_json(const YarnPlace& place) {
+  return {{"yarn", place.yarn},
+          {"course", place.course},
+          {"wale", place.wale ? Json(*place.wale) : Json(nullptr)},
+          {"part", place.part},
+          {"place_mm", number(place.arc_length)}};
+}
+
 Json peaks_block(const Model& model, const SectionPeaks& peaks) {
   Json block;
   for (std::size_t k = 0; k < peaks.size(); ++k) {
     const std::optional<SectionPeak>& peak = peaks[k];
     block[kPeakFields[k].key] = nullptr;
     if (!peak) continue;
-    const YarnPlace place = place_of_element(model, peak->element);
-    block[kPeakFields[k].key] = {{"value", number(peak->value)},
-                                 {"frame", peak->frame},
-                                 {"strain", number(peak->strain)},
-                                 {"yarn", place.yarn},
-                                 {"course", place.course},
-                                 {"wale", place.wale ? Json(*place.wale) : Json(nullptr)},
-                                 {"part", place.part},
-                                 {"place_mm", number(place.arc_length)}};
+    Json entry{{"value", number(peak->value)}, {"frame", peak->frame}, {"strain", number(peak->strain)}};
+    entry.update(place_json(place_of_element(model, peak->element)));
+    block[kPeakFields[k].key] = entry;
   }
   return block;
 }
@@ -158,6 +161,19 @@ Json quality_block(const Quality& quality) {
           {"lost_crossings", quality.lost_crossings},
           {"crossings_kept", quality.lost_crossings == 0},
           {"crossing_checks", quality.crossing_checks}};
+}
+
+Json breaks_block(const Model& model, const RunOutcome& outcome) {
+  Json block = Json::array();
+  for (const model::YarnBreak& event : outcome.breaks) {
+    Json entry{{"strain", number(event.strain)},
+               {"axial_force_N", number(event.axial_force)},
+               {"axial_strain", number(event.axial_strain)}};
+    entry.update(place_json(place_of_element(model, static_cast<std::size_t>(event.element))));
+    entry["position_mm"] = {event.position.x(), event.position.y(), event.position.z()};
+    block.push_back(entry);
+  }
+  return block;
 }
 
 Json ravelled_block(const Model& model, const RunOutcome& outcome) {
@@ -197,6 +213,7 @@ std::string finished_summary(const Model& model, const std::vector<HistoryRow>& 
   document["largest_in_yarns"] = peaks_block(model, peaks);
   document["quality"] = quality_block(quality);
   document["ravelled"] = ravelled_block(model, outcome);
+  document["breaks"] = breaks_block(model, outcome);
   return text_of(document);
 }
 

@@ -4,18 +4,11 @@
 #include <cmath>
 #include <limits>
 
+#include "model/places.h"
 #include "results/constants.h"
 
 namespace knitmech::results {
 namespace {
-
-int yarn_of_element(const model::Model& model, std::size_t element) {
-  const auto begins_behind = [](std::size_t node, const model::ModelYarn& yarn) {
-    return node < static_cast<std::size_t>(yarn.first_node);
-  };
-  const auto next = std::upper_bound(model.yarns.begin(), model.yarns.end(), element, begins_behind);
-  return static_cast<int>(next - model.yarns.begin()) - 1;
-}
 
 /// Half way between the feet and the heads of a course before the test [mm].
 double mid_height(const model::Model& model, int course) {
@@ -39,7 +32,7 @@ bool lies_on_leg(const model::Model& model, std::size_t element) {
 }  // namespace
 
 YarnPlace place_of_element(const model::Model& model, std::size_t element) {
-  const int yarn = yarn_of_element(model, element);
+  const int yarn = model::yarn_of_node(model, element);
   const double arc_length = 0.5 * (model.arc_length[element] + model.arc_length[element + 1]);
   const std::size_t behind = element + 1;
   const bool on_arc = model.wale[element] == knit::kNoWale || model.wale[behind] == knit::kNoWale;

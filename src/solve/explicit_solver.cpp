@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "beam/section_results.h"
 #include "solve/constants.h"
 
 namespace knitmech::solve {
@@ -33,13 +32,16 @@ ExplicitSolver::ExplicitSolver(const model::Model& model, const ExplicitSettings
       elements_(beam::make_elements(model, settings.mass_scaling, settings.bulk_viscosity)),
       inertia_(beam::lump_inertia(elements_, settings.mass_scaling)),
       work_(model.nodes.size()),
+      nonlinear_(model),
       folds_(elements_),
       contact_(model),
       ties_(model),
       grips_(model),
       state_(state_at_rest(model)),
       loads_(model.nodes.size()),
-      smallest_radius_(smallest_radius(model)) {
+      smallest_radius_(smallest_radius(model)),
+      breaks_(model, elements_, settings.mass_scaling),
+      pieces_(model) {
   const double lightest = *std::min_element(inertia_.mass.begin(), inertia_.mass.end());
   first_step_ = stable_step_for(kExpectedContacts * 2 * model.contact_stiffness / (2 * lightest));
   step_in_use_ = first_step_;
@@ -70,16 +72,17 @@ void ExplicitSolver::look_at_stable_step() {
   }
 }
 
-void ExplicitSolver::compute_forces() {
-  beam::set_internal_force(elements_, state_, kick_, work_, loads_);
+void ExplicitSolver::compute_forces(double viscous_time, double friction_time) {
+  nonlinear_.set_secants(state_, elements_);
+  beam::set_internal_force(elements_, state_, viscous_time, work_, loads_);
   folds_.add_moments(state_, loads_);
-  contact_.add_forces(state_, step_.before, loads_);
+  contact_.add_forces(state_, friction_time, loads_);
   largest_penetration_ = std::max(largest_penetration_, contact_.largest_penetration());
   forces_are_current_ = true;
 }
 
 void ExplicitSolver::evaluate() {
-  if (!forces_are_current_) compute_forces();
+  if (!forces_are_current_) compute_forces(kick_, step_.before);
 }
 
 void ExplicitSolver::step() {
@@ -107,68 +110,7 @@ void ExplicitSolver::step() {
   step_.before = step_.after;
   forces_are_current_ = false;
   ++steps_;
-}
-
-double ExplicitSolver::width() const {
-  const int middle = (1 + *std::max_element(model_.course.begin(), model_.course.end())) / 2;
-  double low = std::numeric_limits<double>::max();
-  double high = std::numeric_limits<double>::lowest();
-  for (std::size_t node = 0; node < model_.nodes.size(); ++node) {
-    if (model_.course[node] != middle || model_.wale[node] == knit::kNoWale) continue;
-    low = std::min(low, state_.position.x[node]);
-    high = std::max(high, state_.position.x[node]);
-  }
-  return high - low;
-}
-
-model::HistoryRow ExplicitSolver::history() {
-  evaluate();
-  model::HistoryRow row;
-  row.time = state_.time;
-  row.displacement = model_.test.displacement(state_.time);
-  row.strain = row.displacement / model_.test.gauge_length;
-  if (impulse_time_ > 0) {
-    row.force_top = impulse_top_ / impulse_time_;
-    row.force_bottom = impulse_bottom_ / impulse_time_;
-  }
-  impulse_top_ = impulse_bottom_ = impulse_time_ = 0;
-  row.external_work = grips_.work();
-  row.internal_energy = beam::strain_energy(elements_, state_) + folds_.energy();
-  model::NodalLoads free_loads = loads_;
-  ties_.add_last_forces(free_loads);
-  grips_.clear_loads(free_loads);  // what the fabric does to a grip does not accelerate it
-  row.kinetic_energy = steps_ == 0 ? 0 : kinetic_energy(inertia_, free_loads, step_, state_);
-  row.contact_energy = contact_.energy();
-  row.friction_loss = contact_.friction_loss();
-  row.damping_loss = beam::damping_loss(work_) + mass_damping_loss_;
-  row.width = width();
-  contact_.check_crossings();
-  const std::vector<contact::ContactPoint> points = contact_.points();
-  row.contacts = static_cast<int>(points.size());
-  for (const contact::ContactPoint& point : points) {
-    row.normal_force += point.load;
-    row.largest_elastic_slip = std::max(row.largest_elastic_slip, length(point.stick.elastic_slip));
-  }
-  row.largest_penetration = contact_.largest_penetration();
-  row.step = step_in_use_;
-  return row;
-}
-
-model::Frame ExplicitSolver::frame(int index, const model::HistoryRow& row) const {
-  model::Frame frame;
-  frame.index = index;
-  frame.history = row;
-  const std::size_t n = state_.position.size();
-  frame.points.resize(n);
-  frame.rotations.resize(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    frame.points[i] = {state_.position.x[i], state_.position.y[i], state_.position.z[i]};
-    frame.rotations[i] = {state_.rotation.w[i], state_.rotation.x[i], state_.rotation.y[i], state_.rotation.z[i]};
-  }
-  beam::set_section_results(elements_, state_, frame);
-  contact_.set_contact_results(frame);
-  ties_.set_results(frame);
-  return frame;
+  look_for_breaks();
 }
 
 }  // namespace knitmech::solve

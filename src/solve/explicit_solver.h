@@ -1,17 +1,23 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
+#include <vector>
 
 #include "beam/elements.h"
 #include "beam/fold_limit.h"
 #include "beam/internal_force.h"
 #include "beam/nodal_inertia.h"
+#include "beam/nonlinear_axial.h"
 #include "contact/yarn_contact.h"
 #include "model/frame.h"
 #include "model/model.h"
+#include "model/run_outcome.h"
+#include "solve/broken_yarns.h"
 #include "solve/grips.h"
 #include "solve/integrate.h"
 #include "solve/ties.h"
+#include "solve/yarn_breaks.h"
 
 namespace knitmech::solve {
 
@@ -25,7 +31,8 @@ struct ExplicitSettings {
 
 /// Steps a model through time by central differences (leapfrog), with beams, contact and grips.
 ///
-/// In every step: forces of the beams, forces of the contact, reactions of the grips, then velocities and positions.
+/// In every step: forces of the beams, forces of the contact, reactions of the grips, then velocities and positions,
+/// and a look for yarns that break. Broken yarns are cut if the test goes on.
 class ExplicitSolver {
  public:
   ExplicitSolver(const model::Model& model, const ExplicitSettings& settings);
@@ -43,8 +50,11 @@ class ExplicitSolver {
   /// False once any velocity is infinite or not a number.
   [[nodiscard]] bool is_finite() const { return is_finite_; }
   [[nodiscard]] const std::optional<contact::LostCrossing>& lost_crossing() const { return contact_.lost_crossing(); }
-  [[nodiscard]] long crossing_checks() const { return contact_.crossing_checks(); }
-  [[nodiscard]] const std::vector<contact::RavelEvent>& ravelled() const { return contact_.ravelled(); }
+  [[nodiscard]] long crossing_checks() const { return earlier_.crossing_checks + contact_.crossing_checks(); }
+  /// Yarn ends that have slipped out of loops since the call before, without their strain.
+  [[nodiscard]] std::vector<model::Ravelling> take_ravelled();
+  /// Since the start.
+  [[nodiscard]] const std::vector<model::YarnBreak>& broken() const { return broken_; }
   [[nodiscard]] double largest_penetration() const { return largest_penetration_; }
   /// In the last step [mm].
   [[nodiscard]] double largest_tie_stretch() const { return ties_.largest_stretch(); }
@@ -55,16 +65,29 @@ class ExplicitSolver {
   [[nodiscard]] model::Frame frame(int index, const model::HistoryRow& row) const;
 
  private:
-  void compute_forces();
+  /// \param viscous_time, friction_time [s], over which the losses of viscosity and friction are added up
+  void compute_forces(double viscous_time, double friction_time);
   void look_at_stable_step();
   [[nodiscard]] double stable_step_for(double contact_frequency_squared) const;
   [[nodiscard]] double width() const;
+
+  void look_for_breaks();
+  [[nodiscard]] model::YarnBreak break_of(std::size_t element) const;
+  void cut(const std::vector<std::size_t>& elements);
+  void take_out(std::size_t element);
+  void make_contact_anew();
+  void keep_velocities_of_now(const model::NodalLoads& loads_before);
+  void limit_step_to_snap(std::size_t element);
+  void gather_ravelled();
+  [[nodiscard]] double internal_energy() const;
+  [[nodiscard]] double kinetic_energy() const;
 
   const model::Model& model_;
   ExplicitSettings settings_;
   beam::Elements elements_;
   beam::NodalInertia inertia_;
   beam::ElementWork work_;
+  beam::NonlinearAxial nonlinear_;
   beam::FoldLimit folds_;
   contact::YarnContact contact_;
   Ties ties_;
@@ -72,10 +95,22 @@ class ExplicitSolver {
   model::State state_;
   model::NodalLoads loads_;
   StepLengths step_;
-  double kick_ = 0;  ///< [s], time over which the last forces have acted
+  double kick_ = 0;                          ///< [s], time over which the last forces have acted
   double smallest_radius_ = 0;               ///< [mm]
   double step_in_use_ = 0, first_step_ = 0;  ///< [s]
   int calm_looks_ = 0;                       ///< looks since the step could have grown
+  /// Of contacts that were made anew when a yarn broke.
+  struct Earlier {
+    double friction_loss = 0;  ///< [mJ]
+    long crossing_checks = 0;
+  };
+  YarnBreaks breaks_;
+  BrokenYarns pieces_;
+  std::vector<model::YarnBreak> broken_;
+  Earlier earlier_;
+  std::vector<model::Ravelling> untold_;  ///< ravelled, and not yet taken
+  std::size_t n_gathered_ = 0;            ///< events of the present contact that are in untold_ or were
+  double break_loss_ = 0;                 ///< [mJ]
   double mass_damping_loss_ = 0;
   double largest_penetration_ = 0;
   double impulse_top_ = 0, impulse_bottom_ = 0, impulse_time_ = 0;  ///< [N s], [s], since the last history row

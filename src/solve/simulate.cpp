@@ -75,8 +75,8 @@ std::optional<Failure> failure_in_step(const model::Model& model, const Explicit
 
 /// Whether more energy is in the fabric than was ever put in.
 std::optional<Failure> failure_in_balance(const model::Model& model, const model::HistoryRow& row) {
-  const double held =
-      row.internal_energy + row.kinetic_energy + row.contact_energy + row.friction_loss + row.damping_loss;
+  const double held = row.internal_energy + row.kinetic_energy + row.contact_energy + row.friction_loss +
+                      row.damping_loss + row.break_loss;
   const yarn::Section& section = model.sections.front();
   const double noise = kEnergyNoise * section.bending_stiffness / section.diameter;
   if (std::isfinite(held) && held <= kEnergyBlowUp * std::abs(row.external_work) + noise) return std::nullopt;
@@ -113,6 +113,7 @@ class Run {
         break;
       }
     }
+    outcome_.breaks = solver_.broken();
     outcome_.time = solver_.time();
     outcome_.strain = latest_.strain;
     outcome_.steps = solver_.steps();
@@ -137,15 +138,18 @@ class Run {
   }
 
   void note_ravelling() {
-    for (std::size_t i = outcome_.ravelled.size(); i < solver_.ravelled().size(); ++i) {
-      const contact::RavelEvent& event = solver_.ravelled()[i];
-      outcome_.ravelled.push_back({.strain = model_.test.displacement(solver_.time()) / model_.test.gauge_length,
-                                   .yarn = event.yarn,
-                                   .is_last_end = event.end == contact::YarnEnd::last_node,
-                                   .other_yarn = event.other_yarn,
-                                   .other_place = event.arc_length,
-                                   .position = {event.place.x, event.place.y, event.place.z}});
+    for (model::Ravelling& event : solver_.take_ravelled()) {
+      event.strain = model_.test.displacement(solver_.time()) / model_.test.gauge_length;
+      outcome_.ravelled.push_back(event);
     }
+  }
+
+  bool ended_by_break() {
+    if (solver_.broken().empty() || model_.test.on_break != model::OnBreak::stop) return false;
+    const model::YarnBreak& event = solver_.broken().front();
+    outcome_.reason = fmt::format("The test ended at {:.2f} % strain because a yarn broke, in {}.", 100 * event.strain,
+                                  model::element_text(model_, static_cast<std::size_t>(event.element)));
+    return true;
   }
 
   void fail(const Failure& failure) {
@@ -165,6 +169,7 @@ class Run {
         fail(*failure);
         return false;
       }
+      if (ended_by_break()) return false;
       if (solver_.steps() % kAskInterval == 0 && callbacks_.keep_going && !callbacks_.keep_going(latest_)) {
         outcome_.status = model::RunStatus::interrupted;
         return false;

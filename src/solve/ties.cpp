@@ -149,6 +149,11 @@ void Ties::apply(const contact::Centreline& line, const beam::NodalInertia& iner
   }
 }
 
+void Ties::remove(std::size_t element) {
+  const auto is_on = [&](const Anchor& anchor) { return static_cast<std::size_t>(anchor.place.element) == element; };
+  std::erase_if(ties_, [&](const Tie& tie) { return is_on(tie.first) || is_on(tie.second); });
+}
+
 void Ties::add_last_forces(model::NodalLoads& loads) const {
   for (const Tie& tie : ties_) {
     spread(tie.now_first, tie.force, loads);

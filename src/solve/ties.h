@@ -38,6 +38,9 @@ class Ties {
   void apply(const contact::Centreline& line, const beam::NodalInertia& inertia, StepLengths step, double mass_damping,
              const model::State& state, model::NodalLoads& loads);
 
+  /// Forgets the ties on an element, which has broken.
+  void remove(std::size_t element);
+
   /// Adds the forces of the last call of apply to other loads.
   void add_last_forces(model::NodalLoads& loads) const;
 

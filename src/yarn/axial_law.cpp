@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <string>
 
 #include "base/errors.h"
@@ -108,6 +109,27 @@ AxialLaw::AxialLaw(const std::vector<AxialPoint>& points) {
   pieces_.push_back(
       {.start = points.back().strain, .energy = energy, .force = points.back().force, .slope = slopes.back()});
   make_cells();
+}
+
+double AxialLaw::strain_at(double force) const {
+  const Piece& last = pieces_.back();
+  if (force > last.force) {
+    return last.slope > 0 ? last.start + (force - last.force) / last.slope : std::numeric_limits<double>::infinity();
+  }
+  const auto reaches = [&](double strain) { return this->force(strain) >= force; };
+  double below = 0;
+  double above = last.start;
+  for (;;) {
+    const double middle = 0.5 * (below + above);
+    if (middle <= below || middle >= above) return above;  // neighbouring doubles
+    (reaches(middle) ? above : below) = middle;
+  }
+}
+
+std::vector<double> AxialLaw::strains() const {
+  std::vector<double> strains;
+  for (auto piece = pieces_.begin() + 1; piece != pieces_.end(); ++piece) strains.push_back(piece->start);
+  return strains;
 }
 
 void AxialLaw::make_cells() {

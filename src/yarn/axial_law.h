@@ -51,6 +51,12 @@ class AxialLaw {
   [[nodiscard]] double slope(double strain) const { return at(strain).slope; }    ///< dN / d(strain) [N]
   [[nodiscard]] double energy(double strain) const { return at(strain).energy; }  ///< [mJ/mm]
 
+  /// The least strain at which a force above 0 [N] is reached; infinite if the law ends flat below it.
+  [[nodiscard]] double strain_at(double force) const;
+
+  /// Strains of the points, from 0 on [-].
+  [[nodiscard]] std::vector<double> strains() const;
+
   [[nodiscard]] double slope_at_zero() const { return pieces_.front().slope; }  ///< EA of the unstrained yarn [N]
   [[nodiscard]] double largest_slope() const { return largest_slope_; }         ///< over all strains [N]
   [[nodiscard]] double last_strain() const { return pieces_.back().start; }     ///< of the last point [-]

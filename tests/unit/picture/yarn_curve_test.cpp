@@ -68,5 +68,18 @@ TEST(YarnCurve, LeavesOutElementsWithoutAKnownPosition) {
   EXPECT_FALSE(pieces[4].continues_piece_before);
 }
 
+TEST(YarnCurve, LeavesOutElementsThatHaveBroken) {
+  const model::Model model = test::straight_yarn();
+  model::Frame frame = test::undeformed(model);
+  frame.broken = {3, 7};
+  const std::vector<CurvePiece> pieces = yarn_curves(model, frame);
+  ASSERT_EQ(pieces.size(), 8U);
+  EXPECT_EQ(pieces[2].node, 2);
+  EXPECT_EQ(pieces[3].node, 4);
+  EXPECT_FALSE(pieces[3].continues_piece_before);
+  EXPECT_EQ(pieces[6].node, 8);
+  EXPECT_FALSE(pieces[6].continues_piece_before);
+}
+
 }  // namespace
 }  // namespace knitmech::picture

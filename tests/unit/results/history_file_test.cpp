@@ -31,6 +31,7 @@ std::vector<double*> doubles_of(HistoryRow& row) {
           &row.contact_energy,
           &row.friction_loss,
           &row.damping_loss,
+          &row.break_loss,
           &row.width,
           &row.normal_force,
           &row.largest_elastic_slip,
@@ -89,22 +90,23 @@ TEST(HistoryFile, PutsEveryColumnUnderItsName) {
                                                    .contact_energy = 9,
                                                    .friction_loss = 10,
                                                    .damping_loss = 11,
-                                                   .width = 12,
-                                                   .contacts = 13,
-                                                   .normal_force = 14,
-                                                   .largest_elastic_slip = 15,
-                                                   .largest_penetration = 16,
-                                                   .step = 17});
+                                                   .break_loss = 12,
+                                                   .width = 13,
+                                                   .contacts = 14,
+                                                   .normal_force = 15,
+                                                   .largest_elastic_slip = 16,
+                                                   .largest_penetration = 17,
+                                                   .step = 18});
   // Then it reads 1, 2, 3, ...
-  EXPECT_EQ(line, "1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16,17\n");
+  EXPECT_EQ(line, "1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16,17,18\n");
 }
 
 TEST(HistoryFile, AcceptsOtherLineEndsAndAnEmptyHistory) {
   const test::TemporaryFolder folder;
   const std::filesystem::path path = folder.path() / "history.csv";
-  test::write_text(path, std::string{kHistoryHeader} + "\r\n1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16,17\r\n\r\n");
+  test::write_text(path, std::string{kHistoryHeader} + "\r\n1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16,17,18\r\n\r\n");
   ASSERT_EQ(read_history(path).size(), 1U);
-  EXPECT_EQ(read_history(path).front().step, 17);
+  EXPECT_EQ(read_history(path).front().step, 18);
   test::write_text(path, history_of(""));
   EXPECT_TRUE(read_history(path).empty());
 }
@@ -116,16 +118,16 @@ TEST(HistoryFile, SaysWhereAFileIsWrong) {
     test::write_text(path, text);
     return [&path] { static_cast<void>(read_history(path)); };
   };
-  const std::string good = "1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16,17\n";
+  const std::string good = "1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16,17,18\n";
   EXPECT_THAT(reading("time,force\n1,2\n"),
               ThrowsMessage<InputError>(AllOf(HasSubstr(path.string()), HasSubstr("line 1"), HasSubstr("time_s,"))));
   EXPECT_THAT(reading(""), ThrowsMessage<InputError>(HasSubstr("line 1")));
   EXPECT_THAT(reading(history_of(good + "1,2,3\n")),
-              ThrowsMessage<InputError>(AllOf(HasSubstr("line 3"), HasSubstr("17 numbers"), HasSubstr("found 3"))));
-  EXPECT_THAT(reading(history_of(good + "1,2,3,4x,5,6,7,8,9,10,11,12,13,14,15,16,17\n")),
+              ThrowsMessage<InputError>(AllOf(HasSubstr("line 3"), HasSubstr("18 numbers"), HasSubstr("found 3"))));
+  EXPECT_THAT(reading(history_of(good + "1,2,3,4x,5,6,7,8,9,10,11,12,13,14,15,16,17,18\n")),
               ThrowsMessage<InputError>(AllOf(HasSubstr("line 3"), HasSubstr("force_top_N"), HasSubstr("\"4x\""))));
-  EXPECT_THAT(reading(history_of("1,2,3,4,5,6,7,8,9,10,11,12,13.5,14,15,16,17\n")),
-              ThrowsMessage<InputError>(AllOf(HasSubstr("line 2"), HasSubstr("contacts"), HasSubstr("\"13.5\""))));
+  EXPECT_THAT(reading(history_of("1,2,3,4,5,6,7,8,9,10,11,12,13,14.5,15,16,17,18\n")),
+              ThrowsMessage<InputError>(AllOf(HasSubstr("line 2"), HasSubstr("contacts"), HasSubstr("\"14.5\""))));
   EXPECT_THAT([] { static_cast<void>(read_history("/no/such/history.csv")); },
               ThrowsMessage<FileError>(HasSubstr("/no/such/history.csv")));
 }

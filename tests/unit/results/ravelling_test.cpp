@@ -38,6 +38,7 @@ model::Model three_courses() {
 const model::Ravelling kEvent{.strain = 0.2534,
                               .yarn = 2,
                               .is_last_end = false,
+                              .broken_end = {},
                               .other_yarn = 0,
                               .other_place = 5.5,
                               .position = Eigen::Vector3d(1.5, 0.25, -0.125)};

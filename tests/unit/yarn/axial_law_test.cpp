@@ -50,6 +50,17 @@ TEST(AxialLaw, OfTwoPointsIsHookesLaw) {
   EXPECT_EQ(law.last_strain(), 0.1);
 }
 
+TEST(AxialLaw, SaysAtWhichStrainAForceIsReached) {
+  const AxialLaw law(smooth_points(7));
+  for (const double strain : {1e-6, 0.01, 0.1, 0.27, 0.5}) {
+    EXPECT_NEAR(law.strain_at(law.force(strain)), strain, 1e-12) << strain;
+  }
+  // A curve that ends flat: at its force the least strain that has it, above it none.
+  const AxialLaw flat({{0, 0}, {0.1, 2}, {0.2, 2}, {0.3, 2}});
+  EXPECT_NEAR(flat.strain_at(2), 0.1, 1e-7);
+  EXPECT_EQ(flat.strain_at(2.001), std::numeric_limits<double>::infinity());
+}
+
 TEST(AxialLaw, GoesThroughItsPoints) {
   const auto points = smooth_points(7);
   const AxialLaw law(points);
