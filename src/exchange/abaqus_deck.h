@@ -35,6 +35,9 @@ struct AbaqusDeck {
     Eigen::Vector3d first_axis = {0, 0, -1};  ///< n1, second data line; Abaqus' default if that is not given
     double density = 0;                       ///< *BEAM GENERAL SECTION
     std::vector<double> moduli;               ///< *BEAM GENERAL SECTION, third data line: E, G
+    /// SECTION=NONLINEAR GENERAL: *AXIAL, ELASTIC, strain and force; ascending.
+    std::vector<std::pair<double, double>> axial_curve;
+    double axial = 0, bending_1 = 0, bending_2 = 0, torsion = 0;  ///< the same: *AXIAL, *M1, *M2, *TORQUE, LINEAR
     std::string rotary_inertia = "EXACT";
     std::vector<double> transverse_shear;  ///< K23, K13, slenderness compensation; empty if not given
     int line = 0;

@@ -31,22 +31,58 @@ void write_circle(std::ostream& out, const SectionGroup& group, const AbaqusSect
   line(out, "{}", abaqus_number(section.radius));
 }
 
-void write_general(std::ostream& out, const SectionGroup& group, const AbaqusSection& section) {
-  line(out, "*BEAM GENERAL SECTION, ELSET={}, SECTION=GENERAL, DENSITY={}, ROTARY INERTIA=ISOTROPIC", group.set,
+void write_general(std::ostream& out, const SectionGroup& group, const AbaqusSection& section, const char* kind) {
+  line(out, "*BEAM GENERAL SECTION, ELSET={}, SECTION={}, DENSITY={}, ROTARY INERTIA=ISOTROPIC", group.set, kind,
        abaqus_number(section.density));
   line(out, "{}, {}, 0., {}, {}", abaqus_number(section.area), abaqus_number(section.inertia),
        abaqus_number(section.inertia), abaqus_number(section.torsion_constant));
 }
 
-void write_section(std::ostream& out, const SectionGroup& group, const AbaqusSection& section) {
+/// Force and strain of a measured curve, as straight pieces, far beyond the strains of any test on both sides: Abaqus
+/// does not go on beyond the last line.
+void write_curve(std::ostream& out, const yarn::AxialLaw& law) {
+  const auto write = [&](double strain) {
+    line(out, "{}, {}", abaqus_number(law.force(strain)), abaqus_number(strain));
+  };
+  write(-kCurveReach);
+  const std::vector<double> strains = law.strains();
+  for (std::size_t i = 0; i + 1 < strains.size(); ++i) {
+    for (int k = 0; k < kCurvePieces; ++k) write(strains[i] + (strains[i + 1] - strains[i]) * k / kCurvePieces);
+  }
+  write(law.last_strain());
+  write(law.last_strain() + kCurveReach);
+}
+
+/// What follows the first axis of a section with a measured curve.
+void write_curve_behaviour(std::ostream& out, const yarn::Section& section, const yarn::AxialLaw& law) {
+  out << "*AXIAL, ELASTIC\n";
+  write_curve(out, law);
+  for (const char* bending : {"*M1, LINEAR", "*M2, LINEAR"}) {
+    line(out, "{}\n{},", bending, abaqus_number(section.bending_stiffness));
+  }
+  line(out, "*TORQUE, LINEAR\n{},", abaqus_number(section.torsional_stiffness));
+}
+
+/// Whether a section is written as that of a solid circle of one material.
+bool is_circle(const model::Model& model, int section) {
+  return !model.axial_laws.contains(section) &&
+         abaqus_section(model.sections[static_cast<std::size_t>(section)]).circle;
+}
+
+void write_section(std::ostream& out, const model::Model& model, const SectionGroup& group) {
   static constexpr std::array<const char*, 3> kAxes = {"1., 0., 0.", "0., 1., 0.", "0., 0., 1."};
-  if (section.circle) {
+  const yarn::Section& of_yarn = model.sections[static_cast<std::size_t>(group.section)];
+  const AbaqusSection section = abaqus_section(of_yarn);
+  const auto law = model.axial_laws.find(group.section);
+  if (is_circle(model, group.section)) {
     write_circle(out, group, section);
   } else {
-    write_general(out, group, section);
+    write_general(out, group, section, law == model.axial_laws.end() ? "GENERAL" : "NONLINEAR GENERAL");
   }
   line(out, "{}", kAxes[static_cast<std::size_t>(group.axis)]);
-  if (!section.circle) {
+  if (law != model.axial_laws.end()) {
+    write_curve_behaviour(out, of_yarn, law->second);
+  } else if (!section.circle) {
     line(out, "{}, {}", abaqus_number(section.youngs_modulus), abaqus_number(section.shear_modulus));
   }
   const std::string shear = abaqus_number(section.shear_stiffness);
@@ -110,15 +146,19 @@ std::vector<SectionGroup> section_groups(const model::Model& model) {
 void write_sections(std::ostream& out, const model::Model& model, const std::vector<SectionGroup>& groups) {
   caption(out, "SECTIONS: radius, not diameter; or A, I11, I12, I22, J and E, G; then the direction of the first axis");
   for (const SectionGroup& group : groups) {
-    write_section(out, group, abaqus_section(model.sections[static_cast<std::size_t>(group.section)]));
+    write_section(out, model, group);
+  }
+  for (const auto& [section, strength] : model.strengths) {
+    line(out, "** In KnitMech the yarn of {} breaks at {} N; here it does not.", section_set(section),
+         abaqus_number(strength));
   }
 }
 
 void write_materials(std::ostream& out, const model::Model& model) {
   caption(out, "MATERIALS (a general section carries its own and needs none here)");
   for (int i = 0; i < static_cast<int>(model.sections.size()); ++i) {
+    if (!is_circle(model, i)) continue;
     const AbaqusSection section = abaqus_section(model.sections[static_cast<std::size_t>(i)]);
-    if (!section.circle) continue;
     line(out, "*MATERIAL, NAME={}", material_name(i));
     out << "*DENSITY\n";
     line(out, "{},", abaqus_number(section.density));
@@ -132,7 +172,7 @@ void write_contact(std::ostream& out, const model::Model& model, const std::vect
   std::map<int, double> diameters;
   for (const SectionGroup& group : groups) {
     const yarn::Section& section = model.sections[static_cast<std::size_t>(group.section)];
-    if (!abaqus_section(section).circle) diameters[group.section] = section.diameter;
+    if (!is_circle(model, group.section)) diameters[group.section] = section.diameter;
   }
   std::set<int> with_surface;
   for (const auto& [section, diameter] : diameters) with_surface.insert(section);

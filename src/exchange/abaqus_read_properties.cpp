@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <map>
+#include <string>
 #include <utility>
 
 #include "exchange/abaqus_reading.h"
@@ -59,12 +61,41 @@ void read_general_beam_section(Reading& reading, const KeywordBlock& block) {
   section.rotary_inertia = block.option("ROTARYINERTIA", "EXACT");
   section.dimensions = reading.reals(reading.data_line(block, 0));
   read_first_axis(reading, block, section);
-  section.moduli = reading.reals(reading.data_line(block, 2));
-  if (section.shape == "GENERAL" && section.dimensions.size() < 5) {
-    reading.fail(block.data.front().line, "a GENERAL section needs A, I11, I12, I22, J");
+  const bool is_nonlinear = section.shape == "NONLINEAR GENERAL";
+  if (!is_nonlinear) section.moduli = reading.reals(reading.data_line(block, 2));
+  if ((section.shape == "GENERAL" || is_nonlinear) && section.dimensions.size() < 5) {
+    reading.fail(block.data.front().line, fmt::format("a {} section needs A, I11, I12, I22, J", section.shape));
   }
-  if (section.moduli.size() < 2) reading.fail(block.data[2].line, "a general section needs E and G");
+  if (!is_nonlinear && section.moduli.size() < 2) reading.fail(block.data[2].line, "a general section needs E and G");
   reading.deck.sections.push_back(std::move(section));
+}
+
+/// *AXIAL, *M1, *M2 and *TORQUE.
+void read_section_behaviour(Reading& reading, const KeywordBlock& block) {
+  if (reading.deck.sections.empty() || reading.deck.sections.back().shape != "NONLINEAR GENERAL") {
+    reading.fail(block.line, fmt::format("{} without a NONLINEAR GENERAL section before it", block.as_written));
+  }
+  AbaqusDeck::Section& section = reading.deck.sections.back();
+  static const std::map<std::string, double AbaqusDeck::Section::*> kStiffnesses = {
+      {"AXIAL", &AbaqusDeck::Section::axial},
+      {"M1", &AbaqusDeck::Section::bending_1},
+      {"M2", &AbaqusDeck::Section::bending_2},
+      {"TORQUE", &AbaqusDeck::Section::torsion}};
+  if (block.has("LINEAR")) {
+    section.*kStiffnesses.at(block.keyword) = reading.real(reading.data_line(block, 0), 0);
+    return;
+  }
+  if (block.keyword != "AXIAL" || !block.has("ELASTIC")) {
+    reading.fail(block.line, fmt::format("{} must be LINEAR, or ELASTIC if it is *AXIAL", block.as_written));
+  }
+  for (const DataLine& data : block.data) {
+    if (data.is_blank()) continue;
+    const double strain = reading.real(data, 1);
+    if (!section.axial_curve.empty() && strain <= section.axial_curve.back().first) {
+      reading.fail(data.line, "the strains of *AXIAL must ascend");
+    }
+    section.axial_curve.emplace_back(strain, reading.real(data, 0));
+  }
 }
 
 void read_transverse_shear(Reading& reading, const KeywordBlock& block) {

@@ -45,6 +45,7 @@ void read_element_set(Reading& reading, const KeywordBlock& block);
 // Sections, materials and contact: abaqus_read_properties.cpp.
 void read_beam_section(Reading& reading, const KeywordBlock& block);
 void read_general_beam_section(Reading& reading, const KeywordBlock& block);
+void read_section_behaviour(Reading& reading, const KeywordBlock& block);
 void read_transverse_shear(Reading& reading, const KeywordBlock& block);
 void read_material(Reading& reading, const KeywordBlock& block);
 void read_density(Reading& reading, const KeywordBlock& block);
