@@ -22,7 +22,7 @@ class FrequencyBound {
   /// One end of a spring.
   struct End {
     YarnPlace place;
-    Hold hold;
+    Hold hold{};
   };
 
   /// Adds a spring of a stiffness [N/mm].

@@ -45,7 +45,7 @@ void put_eliminated_first(Terms& terms, const std::map<int, int>& uses, std::set
     if (taken.contains(term.node) || term.coefficient == 0) return 0.0;
     return std::abs(term.coefficient) + (uses.at(term.node) == 1 ? 2.0 : 0.0);
   };
-  const auto best =
+  auto* const best =
       std::max_element(terms.begin(), terms.end(), [&](const Term& a, const Term& b) { return rank(a) < rank(b); });
   if (rank(*best) == 0) {
     throw std::invalid_argument("write_abaqus: a tie has no node of its own that its equation could eliminate");

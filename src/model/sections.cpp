@@ -49,7 +49,8 @@ std::optional<yarn::AxialLaw> axial_law_of(const Case& input) {
 
 yarn::Section section_of(const Case& input) {
   if (const auto broken = broken_rule(input)) throw InputError(broken->key + " " + broken->complaint + ".");
-  YarnStiffness stiffness = input.yarn;
+  const YarnStiffness& given = input.yarn;
+  YarnStiffness stiffness = given;
   const double diameter = input.yarn.diameter;
   if (const auto law = axial_law_of(input)) {
     const double area = std::numbers::pi * diameter * diameter / 4;
@@ -61,7 +62,8 @@ yarn::Section section_of(const Case& input) {
 
 yarn::Section edge_section_of(const Case& input) {
   const yarn::Section yarn = section_of(input);
-  YarnStiffness stiffness = input.edge_yarn;
+  const YarnStiffness& given = input.edge_yarn;
+  YarnStiffness stiffness = given;
   if (!stiffness.youngs_modulus) {
     const double bending = stiffness.bending_stiffness.value_or(kEdgeBendingStiffness);
     stiffness.axial_stiffness = stiffness.axial_stiffness.value_or(yarn.axial_stiffness);

@@ -93,6 +93,7 @@ std::vector<model::ModelYarn> drawn_pieces(const Model& model, const Frame& fram
 
 std::string cell_arrays(const Model& model, const std::vector<model::ModelYarn>& pieces) {
   std::vector<std::int32_t> yarn_ids;
+  yarn_ids.reserve(pieces.size());
   for (const model::ModelYarn& piece : pieces) {
     yarn_ids.push_back(model::yarn_of_node(model, static_cast<std::size_t>(piece.first_node)));
   }

@@ -52,8 +52,8 @@ class Ties {
  private:
   struct Anchor {
     model::ElementPlace place;
-    std::size_t node;  ///< nearest, which the arm turns with
-    Vector3 arm;       ///< a [mm], stress-free
+    std::size_t node = 0;  ///< nearest, which the arm turns with
+    Vector3 arm{};         ///< a [mm], stress-free
   };
   /// A point of a tie at one instant: where it is, and how it hangs on the two nodes of its element.
   struct Point {
