@@ -6,7 +6,8 @@
 #include <cmath>
 #include <vector>
 
-#include "../../support/beam_case.h"
+#include "../../support/pulled_yarn.h"
+#include "../model/example_case.h"
 #include "model/build_model.h"
 #include "results/quality.h"
 #include "solve/simulate.h"
@@ -14,7 +15,7 @@
 namespace knitmech {
 namespace {
 
-constexpr double kLength = 10.0;
+constexpr double kLength = test::kPulledLength;
 
 const yarn::AxialLaw& measured() {
   static const yarn::AxialLaw law({{0, 0}, {0.05, 0.9}, {0.1, 1.2}, {0.2, 2.6}});
@@ -23,18 +24,9 @@ const yarn::AxialLaw& measured() {
 
 /// A straight yarn along y in ten elements, pulled slowly at its end. Element 4 is of section 1.
 model::Model pulled_yarn(double strain) {
-  model::Model model = test::yarns_through({test::straight({0, 0, 0}, {0, kLength, 0}, 10)},
-                                           test::section(measured().slope_at_zero(), 6, 0.017, 0.012, 1e-11, 0.12));
+  model::Model model = test::pulled_yarn(measured().slope_at_zero(), strain, 20, 0.01);
   model.sections.push_back(model.sections.front());
   model.element_section[4] = 1;
-  model.node_sets[model::kBottomFeet] = {0};
-  model.node_sets[model::kTopHeads] = {10};
-  model.contact_stiffness = 16;
-  model.friction = 0.1;
-  model.test.gauge_length = kLength;
-  model.test.strain = strain;
-  model.test.speed = 20;
-  model.test.ramp = 0.01;
   return model;
 }
 
@@ -193,23 +185,11 @@ TEST(Break, GivenAllYarnsBroken_ThenTheForceIsZeroAndTheRunGoesOn) {
 
 /// 2 wales x 3 courses of the published monofilament.
 model::Model small_fabric(double strength, model::OnBreak on_break, model::Centreline centreline) {
-  model::Case input;
-  input.title = "small";
-  input.loop = {.height = 7.0,
-                .width = 3.9,
-                .head_flat = 0.2,
-                .head_radius = 1.1,
-                .foot_flat = 0.2,
-                .foot_radius = 1.0,
-                .out_of_plane = 0.02};
-  input.fabric = {
-      .wales = 2, .courses = 3, .course_spacing = 5.0, .structure = knit::Structure::tied, .elements_per_erc = 10};
-  input.yarn.diameter = 0.12;
-  input.yarn.density = 1.14e-9;
-  input.yarn.youngs_modulus = 1700;
-  input.yarn.poissons_ratio = 0.39;
+  model::Case input = model::example_case();
+  input.fabric.wales = 2;
+  input.fabric.courses = 3;
+  input.fabric.structure = knit::Structure::tied;
   input.yarn.strength = strength;
-  input.contact.friction = 0.1;
   input.contact.centreline = centreline;
   input.test = {.strain = 0.35, .speed = 20, .ramp = 0.05, .on_break = on_break};
   return model::build_model(input);

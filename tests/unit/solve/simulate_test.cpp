@@ -4,27 +4,17 @@
 
 #include <vector>
 
-#include "../../support/beam_case.h"
+#include "../../support/pulled_yarn.h"
 
 namespace knitmech {
 namespace {
 
 constexpr double kAxial = 19.0;
-constexpr double kLength = 10.0;
+constexpr double kLength = test::kPulledLength;
 
-/// One straight yarn along y, held at one end and pulled at the other: force and energy are known.
+/// Force and energy are known.
 model::Model straight_yarn(double strain) {
-  model::Model model = test::yarns_through({test::straight({0, 0, 0}, {0, kLength, 0}, 10)},
-                                           test::section(kAxial, 6, 0.017, 0.012, 1e-11, 0.12));
-  model.node_sets[model::kBottomFeet] = {0};
-  model.node_sets[model::kTopHeads] = {10};
-  model.contact_stiffness = 16;
-  model.friction = 0.1;
-  model.test.gauge_length = kLength;
-  model.test.strain = strain;
-  model.test.speed = 5;
-  model.test.ramp = 0.005;
-  return model;
+  return test::pulled_yarn(kAxial, strain, 5, 0.005);
 }
 
 struct Heard {
