@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "contact/centreline.h"
+#include "contact/constants.h"
 #include "contact/line_potential.h"
 #include "contact/yarn_elements.h"
 
@@ -122,6 +123,32 @@ KNITMECH_INLINE Followed follow_nearest(const YarnElements& elements, const Cent
     here.second.share += dt;
   }
   return here;
+}
+
+/// The same places seen from the other yarn.
+[[nodiscard]] inline Followed swapped(const Followed& here) {
+  Followed other = here;
+  other.first = here.second;
+  other.second = here.first;
+  other.at = {here.at.second, here.at.first, -1.0 * here.at.between};
+  other.hessian = {here.hessian.tt, here.hessian.st, here.hessian.ss};
+  other.slope_first = here.slope_second;
+  other.slope_second = here.slope_first;
+  return other;
+}
+
+/// Half lengths of an overlap along both yarns [mm], by the parabola of the gap at its closest places.
+struct HalfLengths {
+  double first, second;
+};
+
+/// @pre the Hessian is positive definite
+[[nodiscard]] inline HalfLengths half_lengths(const Followed& closest, double distance, const PairSize& size) {
+  const Hessian& m = closest.hessian;
+  const double least = kJudgedOverlap * size.radii;
+  const double penetration = size.radii - distance > least ? size.radii - distance : least;
+  const double scale = 2 * penetration * distance / m.determinant();
+  return {size.first_length * std::sqrt(scale * m.tt), size.second_length * std::sqrt(scale * m.ss)};
 }
 
 }  // namespace knitmech::contact

@@ -21,8 +21,8 @@ inline constexpr double kSelfContactArc = 0.5;
 inline constexpr double kReferenceOverlap = 0.02;
 
 /// Size of an overlap, root of the sum of the squares of its half lengths along both yarns, in units of the sum of the
-/// radii: one that grows beyond the second is sampled along the yarns, one that shrinks below the first is integrated
-/// about its closest places. Larger: faster, less exact where curved yarns lie side by side.
+/// radii: one that grows beyond the second is cut into strips, one that shrinks below the first is integrated about its
+/// closest places. Larger: faster, less exact where curved yarns lie side by side.
 inline constexpr double kShortOverlap = 1.0;
 inline constexpr double kLongOverlap = 1.5;
 
@@ -30,23 +30,32 @@ inline constexpr double kLongOverlap = 1.5;
 /// radii].
 inline constexpr double kLongestOverlap = 3.0;
 
-/// Least penetration with which the size of an overlap is judged [sums of the radii]: yarns that lie side by side and
-/// hardly touch are sampled all the same, although the gap between them undulates with the elements.
-inline constexpr double kJudgedOverlap = 0.01;
+/// Least penetration with which the size of an overlap is judged [sums of the radii], so that yarns that bounce do not
+/// change the way in which they are counted with every bounce, and yarns side by side that hardly touch are cut into
+/// strips although the gap between them undulates with the elements.
+inline constexpr double kJudgedOverlap = 0.04;
 
-/// Distance of the samples in long overlaps, in units of the sum of the radii [-].
-inline constexpr double kSampleSpacing = 0.25;
+/// Lengths of strips and cells in long overlaps, in units of the sum of the radii [-]. Shorter: slower, more even where
+/// yarns slide along each other.
+inline constexpr double kStripLength = 0.2;
+inline constexpr double kCellLength = 0.35;
 
-/// Most samples on one element [-]; an element that needs more is far too coarse.
-inline constexpr int kMostSamples = 400;
+/// Most strips or cells on one piece [-]; a piece that needs more is far too coarse.
+inline constexpr int kMostOnPiece = 400;
 
-/// How near yarns are followed before they touch, and how much they may move until pairs that touch are searched for
-/// new contacts [sums of the radii]. The first must be more than twice the second, since both yarns move.
-inline constexpr double kFollowed = 0.05;
-inline constexpr double kLookAgain = 0.02;
+/// How much nearer yarns may come between the points of strips and cells than at them [sums of the radii].
+inline constexpr double kStripMargin = 0.01;
 
-/// Least motion between two looks at any pairs [sums of the radii]: looks that are due soon are done together.
-inline constexpr double kLookTogether = 0.005;
+/// The yarn along which the distance to the other changes less is the one that is cut into strips; where the rises
+/// differ by less than this factor, it stays what it was.
+inline constexpr double kSidesAlike = 2.0;
+
+/// How near yarns are followed before they touch [sums of the radii]. Must be more than twice the motion between looks,
+/// since both yarns move.
+inline constexpr double kFollowed = 0.08;
+
+/// Motion after which pairs that are awake are looked at anew [larger radius].
+inline constexpr double kLookAgain = 0.03;
 
 /// Largest turn of a piece of the smooth centreline in the stress-free yarn [rad]. Elements that turn by more are cut
 /// for the contact: two pieces that hardly bend come closest in one place. Smaller: more pieces, more pairs to look at.
@@ -56,10 +65,12 @@ inline constexpr double kPieceTurn = 0.25;
 inline constexpr int kFewestPieces = 2;
 inline constexpr int kMostPieces = 16;
 
-/// Stiffness of the elastic stick of a crossing, as a share of its normal stiffness K [-]; long overlaps have it per
-/// sum of the radii of their length. 1: the elastic slip before sliding is mu N / K, far below the yarn diameter.
-/// Larger asks for smaller time steps.
+/// Stiffness of the elastic stick of a crossing, as a share of its normal stiffness K [-], and that of a strip per sum
+/// of the radii of its length. 1: the elastic slip before sliding is mu N / K, far below the yarn diameter. Long
+/// overlaps carry the large forces, and their normal stiffness has grown beyond K by then. Larger asks for smaller time
+/// steps.
 inline constexpr double kStickStiffness = 1.0;
+inline constexpr double kStripStickStiffness = 2.0;
 
 /// Least cosine between the directions of a contact before and after it slides on to the next element [-]; the chords
 /// of a coarse mesh turn by up to 45 degrees there. Smaller might take another contact close by for the same.

@@ -87,38 +87,11 @@ KNITMECH_INLINE void evaluate_crossing(ContactBatch& b, std::size_t k, double st
   finish(b, k, step, pair, (1 / distance) * at.between);
 }
 
-KNITMECH_INLINE void evaluate_sample(ContactBatch& b, std::size_t k, double step) {
-  Places at = places_at(point_at(element(b.first, k).curve(), b.first.share[k]),
-                        point_at(element(b.second, k).curve(), b.second.share[k]));
-  Hessian m = hessian(at);
-  const double slope_t = dot(at.between, at.second.slope);
-  double regular = less(0, m.tt);
-  const double dt = -slope_t / (regular > 0 ? m.tt : 1);
-  regular *= stays(b.second.share[k], dt);
-  b.second.share[k] += dt;
-  at = places_at(at.first, shifted(at.second, dt));
-  m = hessian(at);
-  const double distance = length(at.between);
-  const double penetration = b.radii[k] - distance;
-  const PairSize size{b.radii[k], b.density[k], b.first.length[k], b.second.length[k]};
-  const double across = 2 * penetration * distance * size.second_length * size.second_length;
-  b.regular[k] = regular * less(0, m.tt) * less(0, penetration) * (1 - less(kSmallOverlap * size.radii, penetration)) *
-                 less(across, b.second.to_end[k] * b.second.to_end[k] * m.tt);
-  b.penetration[k] = penetration;
-  PairLoad pair = sample_load<SmallOverlap>(at, m, distance, size, b.weight[k]);
-  finish(b, k, step, pair, (1 / distance) * at.between);
-}
-
 }  // namespace
 
 KNITMECH_VECTORISE void evaluate_crossings(ContactBatch& batch, double step) {
 #pragma omp simd
   for (std::size_t k = 0; k < kLanes; ++k) evaluate_crossing(batch, k, step);
-}
-
-KNITMECH_VECTORISE void evaluate_samples(ContactBatch& batch, double step) {
-#pragma omp simd
-  for (std::size_t k = 0; k < kLanes; ++k) evaluate_sample(batch, k, step);
 }
 
 }  // namespace knitmech::contact

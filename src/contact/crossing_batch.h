@@ -57,7 +57,6 @@ struct ContactBatch {
   std::size_t n = 0;
   LaneSides first{}, second{};
   LaneNumbers radii{}, density{}, friction{}, stick_stiffness{};
-  LaneNumbers weight{};                  ///< samples: share times length [mm]
   LaneVectors elastic_slip{}, normal{};  ///< in and out; the normal is that of the step before, or zero
   LaneNumbers slid{}, slipped{};         ///< out: path slid in this step [mm]; 1 where the Coulomb limit was reached
   LaneNumbers regular{};                 ///< out: 1 where the lane holds the result; else it must be computed otherwise
@@ -69,8 +68,5 @@ struct ContactBatch {
 /// places move little; others are left as not regular.
 /// \param step [s]
 void evaluate_crossings(ContactBatch& batch, double step);
-
-/// The same for samples of the first yarn (sample_load()).
-void evaluate_samples(ContactBatch& batch, double step);
 
 }  // namespace knitmech::contact

@@ -62,11 +62,13 @@ Step newton_step(const CurveApproach& here, bool free_s, bool free_t) {
           (bend.st * here.slope_s - bend.ss * here.slope_t) / determinant};
 }
 
-CurveApproach minimise(const Curve& first, const Curve& second, double s, double t, bool move_s) {
+}  // namespace
+
+CurveApproach closest_on_curves(const Curve& first, const Curve& second, double s, double t) {
   constexpr double kLargestStep = 0.5;
   for (int i = 0; i < kMostIterations; ++i) {
     CurveApproach here = at(first, second, s, t);
-    const bool free_s = move_s && !is_held(s, here.slope_s);
+    const bool free_s = !is_held(s, here.slope_s);
     const bool free_t = !is_held(t, here.slope_t);
     const Step step = newton_step(here, free_s, free_t);
     const double s_new = std::clamp(s + std::clamp(step.s, -kLargestStep, kLargestStep), 0.0, 1.0);
@@ -84,16 +86,6 @@ CurveApproach minimise(const Curve& first, const Curve& second, double s, double
     }
   }
   return at(first, second, s, t);
-}
-
-}  // namespace
-
-CurveApproach closest_on_curves(const Curve& first, const Curve& second, double s, double t) {
-  return minimise(first, second, s, t, true);
-}
-
-CurveApproach closest_on_second(const Curve& first, const Curve& second, double s, double t) {
-  return minimise(first, second, s, t, false);
 }
 
 }  // namespace knitmech::contact

@@ -20,7 +20,4 @@ struct CurveApproach {
 /// linearised curves is taken instead.
 [[nodiscard]] CurveApproach closest_on_curves(const Curve& first, const Curve& second, double s, double t);
 
-/// The same with s held: the place on the second piece nearest to one of the first.
-[[nodiscard]] CurveApproach closest_on_second(const Curve& first, const Curve& second, double s, double t);
-
 }  // namespace knitmech::contact

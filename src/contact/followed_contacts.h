@@ -4,6 +4,8 @@
 
 #include "contact/contact_points.h"
 #include "contact/friction.h"
+#include "contact/neighbour_search.h"
+#include "contact/placed_points.h"
 #include "contact/yarn_elements.h"
 
 namespace knitmech::contact {
@@ -24,29 +26,46 @@ struct Crossing {
   double gap = 0;               ///< [mm], when last looked at
   bool is_minimum = true;       ///< when last looked at
   double wake = 0;          ///< motion of both elements since the last search before which no force can be here [mm]
-  bool is_short = false;    ///< counts; else samples count the overlap
+  bool is_short = false;    ///< counts; else strips count the overlap
   double first_reach = 0;   ///< how far the overlap may reach along the first yarn from here [mm]
   double second_reach = 0;  ///< along the second
   ContactState now = {};
 };
 
-/// A short length of a yarn in a long overlap, with the nearest place on the other yarn, followed from step to step.
-struct Sample {
-  YarnPlace at{};          ///< middle of the sampled length; stays
-  YarnPlace other{};       ///< nearest place
-  double length = 0;       ///< stress-free, of the sample [mm]
-  bool on_second = false;  ///< the sampled yarn is the second of the contact: its element has the larger number
-  double gap = 0;          ///< [mm], when last looked at
-  bool is_minimum = true;  ///< when last looked at
-  double share = 1;        ///< of the overlap that this sample stands for [-]; see overlap_shares.h
-  double wake = 0;         ///< motion of both elements since the last search before which no force can be here [mm]
-  ContactState now = {};
+/// Cells of the other yarn that a strip sees: stretches of equal length that follow each other on one element, each
+/// with a point at its start, its middle and its end.
+struct CellSpan {
+  std::size_t first_point = 0;  ///< index into FollowedContacts::points; cells share the points between them
+  std::size_t n_cells = 0;
+  double cell_length = 0;  ///< along the stress-free yarn [mm]
+};
+
+/// A short length of a yarn in a long overlap, and the cells of the other yarn that are near it. Both stay where they
+/// are on the yarns until the next look.
+struct Strip {
+  YarnPlace at{};              ///< middle of the strip
+  YarnPlace other{};           ///< the point of the other yarn that presses most, or is nearest
+  std::size_t point = 0;       ///< that of `at`, index into FollowedContacts::points
+  std::size_t first_span = 0;  ///< index into FollowedContacts::spans
+  std::size_t n_spans = 0;
+  double length = 0;      ///< stress-free, of the strip [mm]
+  double wake = 0;        ///< motion of both elements since the last search before which no force can be here [mm]
+  ContactState now = {};  ///< normal and slip are those from the yarn of the strip to the other
+};
+
+/// Which of the two yarns of a long overlap is cut into strips, for a pair of pieces.
+struct PairSide {
+  ElementPair pair{};
+  bool on_second = false;
 };
 
 /// All places that are followed.
 struct FollowedContacts {
   std::vector<Crossing> crossings;
-  std::vector<Sample> samples;
+  std::vector<Strip> strips;
+  std::vector<CellSpan> spans;
+  PlacedPoints points;
+  std::vector<PairSide> sides;  ///< of the pairs that have strips, ascending
 };
 
 /// The contacts that carry a force.

@@ -13,6 +13,11 @@ struct SlipMemory {
   bool slips = false;  ///< the Coulomb limit was reached in the last step
 };
 
+/// The same memory, seen from the other yarn.
+inline SlipMemory flipped(const SlipMemory& memory) {
+  return {-1.0 * memory.normal, -1.0 * memory.elastic_slip, memory.slid, memory.slips};
+}
+
 /// How a stick has moved in one step.
 struct Slide {
   Vector3 elastic_slip;  ///< stretch that is left [mm]

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "contact/constants.h"
 #include "contact/curve.h"
 #include "contact/normal_law.h"
 
@@ -16,8 +17,8 @@ namespace knitmech::contact {
 ///
 /// with the normal law e (normal_law.h) and the lengths dS, dT along the stress-free yarns. The energy knows no
 /// elements, no master and slave, and no closest point that may jump; yarns that cross and yarns that lie side by side
-/// follow the same law. Only the overlaps are integrated: they are small beside the yarns' bending, so the distance is
-/// a parabola across them, and the integrals are known.
+/// follow the same law. Only the overlaps are integrated. One that is small beside the yarns' bending, a crossing, has
+/// the distance as a parabola across it, and the integral is known; long ones are in strips.h.
 ///
 /// The forces are the exact derivatives of these integrals by the curves, with all that depends on slopes and bends,
 /// so that no energy appears or vanishes.
@@ -113,36 +114,11 @@ KNITMECH_INLINE PairLoad crossing_load(const Places& closest, const Hessian& m, 
           {-1.0 * by_between, -1.0 * by_b_slope, -1.0 * by_b_bend}};
 }
 
-/// The overlap of a short length of the first yarn with the second yarn, the distance a parabola along the second:
-///
-///     energy = k w L_b sqrt(distance / M_tt) (strip law of d)
-///
-/// @pre M_tt > 0, the place on the second curve is the one nearest to that on the first, 0 < penetration < D
-/// \param weight length w of the sampled piece [mm], times a factor that is taken as constant; size.first_length is not
-/// used
-template <typename Law = AnyOverlap>
-KNITMECH_INLINE PairLoad sample_load(const Places& at, const Hessian& m, double distance, const PairSize& size,
-                                     double weight) {
-  const StripLaw law = Law::strip(size.radii - distance, size.radii);
-  const double scale = size.density * weight * size.second_length * std::sqrt(distance / m.tt);
-  const Vector3 normal = (1 / distance) * at.between;
-  const double energy = scale * law.energy;
-  const double pressed = scale * law.force;
-  const double h = 0.5 * energy / m.tt;
-
-  const CurvePoint& b = at.second;
-  Vector3 by_between = (0.5 * energy / distance - pressed) * normal - h * b.bend;
-  Vector3 by_b_slope = (-2 * h) * b.slope;
-  const Vector3 by_b_bend = (-h) * at.between;
-  const double by_t = dot(by_b_slope, b.bend) + dot(by_b_bend, b.jerk) + dot(by_between, b.slope);
-  const double move_t = -by_t / m.tt;
-  by_between = by_between + move_t * b.slope;
-  by_b_slope = by_b_slope + move_t * at.between;
-  return {-dot(by_between, normal),
-          scale * law.tangent,
-          energy,
-          {by_between, Vector3{0, 0, 0}, Vector3{0, 0, 0}},
-          {-1.0 * by_between, -1.0 * by_b_slope, -1.0 * by_b_bend}};
+/// Density k of the contact energy, times D^2 / K, for which two straight yarns that cross at a right angle with the
+/// penetration c D, c = kReferenceOverlap, press with K c D: c / (2 pi (1 - c) (-c - ln(1 - c))).
+inline double density_factor() {
+  constexpr double c = kReferenceOverlap;
+  return c / (2 * std::numbers::pi * (1 - c) * normal_energy(c, 1));
 }
 
 }  // namespace knitmech::contact

@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "base/segment_distance.h"
+#include "contact/along_yarns.h"
 #include "contact/closest_places.h"
 #include "contact/constants.h"
 #include "contact/curve_distance.h"
-#include "contact/overlap_shares.h"
-#include "contact/yarn_end.h"
+#include "contact/lay_strips.h"
 
 namespace knitmech::contact {
 
@@ -24,64 +24,15 @@ constexpr double kOnEnd = 1e-6;
 /// Two places that were followed to the same point differ by no more than this [sums of the radii].
 constexpr double kSamePlace = 0.02;
 
-/// How far a new place may be from the one whose memory it takes [sums of the radii].
-constexpr double kNearby = 1.0;
-
 /// Beyond this many half lengths of its parabola an overlap must have ended; up to it the gap must have risen by this
-/// share of what the parabola says, for an overlap that was integrated about its closest places or by samples so far.
+/// share of what the parabola says, for an overlap that was integrated about its closest places or by strips so far.
 constexpr double kBeyondEnd = 1.25;
-constexpr double kRiseOfShort = 0.7;
-constexpr double kRiseOfLong = 0.85;
 
-/// Numbers of what lies on each element.
-class ByElement {
- public:
-  explicit ByElement(std::size_t n_elements) : first_(n_elements, -1) {}
-  void add(std::int32_t element) {
-    next_.push_back(first_[static_cast<std::size_t>(element)]);
-    first_[static_cast<std::size_t>(element)] = static_cast<std::int32_t>(next_.size()) - 1;
-  }
-  /// Calls for every number on the elements around one.
-  template <typename Call>
-  void around(std::int32_t element, std::int32_t each_side, const Call& call) const {
-    const std::int32_t last = std::min(element + each_side, static_cast<std::int32_t>(first_.size()) - 1);
-    for (std::int32_t e = std::max(element - each_side, 0); e <= last; ++e) {
-      for (std::int32_t i = first_[static_cast<std::size_t>(e)]; i >= 0; i = next_[static_cast<std::size_t>(i)]) {
-        call(static_cast<std::size_t>(i));
-      }
-    }
-  }
+/// How far a crossing stands for what lies beyond that besides [sums of the radii].
+constexpr double kMarginOfReach = 0.25;
 
- private:
-  std::vector<std::int32_t> first_, next_;
-};
-
-/// Distances and neighbourhoods along the yarns.
-struct AlongYarns {
-  const YarnElements& elements;
-  double shortest = std::numeric_limits<double>::max();  ///< element [mm]
-
-  explicit AlongYarns(const YarnElements& of) : elements(of) {
-    for (std::size_t i = 0; i < of.n_nodes(); ++i) {
-      if (of.exists[i] != 0) shortest = std::min(shortest, of.length[i]);
-    }
-  }
-  [[nodiscard]] double radii(YarnPlace a, YarnPlace b) const {
-    return elements.radius[static_cast<std::size_t>(a.element)] + elements.radius[static_cast<std::size_t>(b.element)];
-  }
-  [[nodiscard]] bool near(YarnPlace a, YarnPlace b, double reach) const {
-    return elements.yarn[static_cast<std::size_t>(a.element)] == elements.yarn[static_cast<std::size_t>(b.element)] &&
-           distance(a, b) < reach;
-  }
-  /// Of two places on one yarn.
-  [[nodiscard]] double distance(YarnPlace a, YarnPlace b) const {
-    return std::abs(arc_of(elements, a) - arc_of(elements, b));
-  }
-  /// How many elements to look at on each side for what is within reach.
-  [[nodiscard]] std::int32_t elements_within(double reach) const {
-    return static_cast<std::int32_t>(std::min(reach / shortest, 1e6)) + 1;
-  }
-};
+constexpr double kRiseOfShort = 0.8;
+constexpr double kRiseOfLong = 0.9;
 
 /// Whether a closest place on a piece is one of the whole yarn: not if it is held at an end beyond which the yarn comes
 /// nearer. \param slope derivative of half the squared distance by the place [mm^2]  \param bend its second derivative
@@ -94,12 +45,13 @@ bool is_of_yarn(const ContactElements& pieces, std::int32_t piece, double place,
 
 class Look {
  public:
-  Look(const YarnElements& elements, const ContactElements& pieces, const Centreline& line, FollowedContacts& contacts)
+  Look(const YarnElements& elements, const ContactElements& pieces, const Centreline& line, const ContactMemory& memory,
+       FollowedContacts& contacts)
       : elements_(elements),
         pieces_(pieces),
         line_(line),
         along_(elements),
-        before_(contacts),
+        memory_(memory),
         contacts_(contacts),
         crossings_on_(elements.n_nodes()) {
     for (const Crossing& crossing : contacts.crossings) crossings_on_.add(crossing.first.element);
@@ -127,19 +79,37 @@ class Look {
       add_crossing(place(pair.first, at.s), place(pair.second, at.t), gap);
     }
     touching_.push_back(pair);
-    return kLookAgain * radii;
+    return 0;
   }
 
-  /// Looks at all pairs that touch for overlaps to be sampled; drops samples where closest places count the overlap.
-  void sample() {
-    std::erase_if(contacts_.samples,
-                  [&](const Sample& sample) { return is_counted(sample.at, sample.other, sample.on_second); });
-    ByElement samples_on(elements_.n_nodes());
-    for (const Sample& sample : contacts_.samples) samples_on.add(sample.at.element);
-    for (const ElementPair pair : touching_) {
-      add_samples(pair.first, pair.second, false, samples_on);
-      add_samples(pair.second, pair.first, true, samples_on);
+  /// Pairs that touch or will soon, as far as at() was told.
+  [[nodiscard]] const std::vector<ElementPair>& touching() const { return touching_; }
+
+  /// Leaves two closest places within one overlap to the strips: neither has a parabola of its own.
+  void leave_doubles() {
+    std::vector<Crossing*> doubles;
+    for (Crossing& crossing : contacts_.crossings) {
+      if (!crossing.is_short) continue;
+      const auto each_side = along_.elements_within(crossing.first_reach);
+      crossings_on_.around(crossing.first.element, each_side, [&](std::size_t i) {
+        Crossing& other = contacts_.crossings[i];
+        if (&other == &crossing || !other.is_short || !stands_for(crossing, other.first, other.second)) return;
+        doubles.push_back(&crossing);
+        doubles.push_back(&other);
+      });
     }
+    for (Crossing* crossing : doubles) leave(*crossing);
+  }
+
+  /// Whether the overlap at two places is integrated about the closest places of a crossing.
+  [[nodiscard]] bool is_counted(YarnPlace first, YarnPlace second) const {
+    const double farthest = (kBeyondEnd * kLongOverlap + kMarginOfReach) * along_.radii(first, second);
+    bool counted = false;
+    crossings_on_.around(first.element, along_.elements_within(farthest), [&](std::size_t i) {
+      const Crossing& crossing = contacts_.crossings[i];
+      counted = counted || (crossing.is_short && stands_for(crossing, first, second));
+    });
+    return counted;
   }
 
  private:
@@ -151,6 +121,14 @@ class Look {
     return {along_.radii(first, second), 0, elements_.length[static_cast<std::size_t>(first.element)],
             elements_.length[static_cast<std::size_t>(second.element)]};
   }
+  [[nodiscard]] bool stands_for(const Crossing& crossing, YarnPlace first, YarnPlace second) const {
+    return along_.near(crossing.first, first, crossing.first_reach) &&
+           along_.near(crossing.second, second, crossing.second_reach);
+  }
+  static void leave(Crossing& crossing) {
+    crossing.is_short = false;
+    crossing.now = {};
+  }
 
   void add_crossing(YarnPlace first, YarnPlace second, double gap) {
     const double same = kSamePlace * along_.radii(first, second);
@@ -160,13 +138,13 @@ class Look {
       if (along_.near(crossing.first, first, same) && along_.near(crossing.second, second, same)) known = &crossing;
     });
     if (known == nullptr) {
-      contacts_.crossings.push_back({.first = first, .second = second, .now = {.stick = memory_near(first, second)}});
+      contacts_.crossings.push_back({.first = first, .second = second, .now = {.stick = memory_.near(first, second)}});
       crossings_on_.add(first.element);
       known = &contacts_.crossings.back();
     }
     known->gap = gap;
     judge(*known, first, second);
-    if (!known->is_short) known->now = {};
+    if (!known->is_short) leave(*known);
   }
 
   /// Decides whether an overlap is integrated about its closest places.
@@ -182,10 +160,18 @@ class Look {
     const double squared = half.first * half.first + half.second * half.second;
     const double limit = (was_short ? kLongOverlap : kShortOverlap) * size.radii;
     const double rise = was_short ? kRiseOfShort : kRiseOfLong;
-    crossing.is_short = squared < limit * limit && ends_where_its_parabola_does(here, half.first, rise) &&
+    const double to_end = (was_short ? 1.0 : kBeyondEnd) * half.first;
+    crossing.is_short = squared < limit * limit && !ends_within(here.first, to_end, size.radii) &&
+                        !ends_within(here.second, to_end * half.second / half.first, size.radii) &&
+                        ends_where_its_parabola_does(here, half.first, rise) &&
                         ends_where_its_parabola_does(swapped(here), half.second, rise);
-    crossing.first_reach = kBeyondEnd * half.first + kSampleSpacing * size.radii;
-    crossing.second_reach = kBeyondEnd * half.second + kSampleSpacing * size.radii;
+    crossing.first_reach = kBeyondEnd * half.first + kMarginOfReach * size.radii;
+    crossing.second_reach = kBeyondEnd * half.second + kMarginOfReach * size.radii;
+  }
+
+  /// Whether the yarn ends within an overlap, or so near to it that it might before the next look.
+  [[nodiscard]] bool ends_within(YarnPlace place, double half, double radii) const {
+    return to_nearer_end(elements_, place) < half + kFollowed * radii;
   }
 
   /// Whether the gap has risen beyond the ends of the overlap as its parabola says.
@@ -205,105 +191,22 @@ class Look {
     return has_risen(-kBeyondEnd) && has_risen(kBeyondEnd);
   }
 
-  /// Whether the overlap at two places is integrated about the closest places of a crossing.
-  /// \param on_second the sampled place is that on the second yarn
-  [[nodiscard]] bool is_counted(YarnPlace sampled, YarnPlace other, bool on_second) const {
-    const YarnPlace first = on_second ? other : sampled;
-    const YarnPlace second = on_second ? sampled : other;
-    const double farthest = (kBeyondEnd * kLongOverlap + kSampleSpacing) * along_.radii(first, second);
-    bool counted = false;
-    crossings_on_.around(first.element, along_.elements_within(farthest), [&](std::size_t i) {
-      const Crossing& crossing = contacts_.crossings[i];
-      counted = counted ||
-                (crossing.is_short && crossing.gap < 0 && along_.near(crossing.first, first, crossing.first_reach) &&
-                 along_.near(crossing.second, second, crossing.second_reach));
-    });
-    return counted;
-  }
-
-  void add_samples(std::int32_t piece, std::int32_t other_piece, bool on_second, ByElement& samples_on) {
-    const double radii = radius(piece) + radius(other_piece);
-    const std::int32_t element = pieces_.element_of(piece);
-    const double size = elements_.length[static_cast<std::size_t>(element)];
-    const int n = std::clamp(static_cast<int>(std::ceil(size / (kSampleSpacing * radii))), 1, kMostSamples);
-    const Curve curve = line_.curve(static_cast<std::size_t>(element));
-    const Curve other = line_.piece_curve(pieces_, other_piece);
-    const Vector3 along = other.end - other.start;
-    const double reach = radii * (1 + kLookAgain) + bulge(other);
-    const int from = static_cast<int>(std::ceil(n * pieces_.place_on_element(piece, 0) - 0.5));
-    const int to = static_cast<int>(std::ceil(n * pieces_.place_on_element(piece, 1) - 0.5));
-    for (int i = from; i < to; ++i) {
-      const YarnPlace at{element, (i + 0.5) / n};
-      const Vector3 here = combine(curve, hermite(at.share));
-      const double start = closest_on_segment(here, other.start, along);
-      const Vector3 to_chord = other.start + start * along - here;
-      if (dot(to_chord, to_chord) >= reach * reach || is_counted(at, place(other_piece, start), on_second)) continue;
-      add_sample({.at = at, .other = place(other_piece, start), .length = size / n, .on_second = on_second},
-                 samples_on);
-    }
-  }
-
-  void add_sample(Sample sample, ByElement& samples_on) {
-    const Followed nearest = follow_nearest(elements_, line_, sample.at, sample.other);
-    const PairSize size = size_of(nearest.first, nearest.second);
-    const double distance = length(nearest.at.between);
-    if (!nearest.is_minimum || distance > size.radii * (1 + kLookAgain) || nearest.hessian.tt <= 0) return;
-    sample.other = nearest.second;
-    sample.gap = distance - size.radii;
-    sample.share = sample_share(nearest, distance, size);
-    Sample* known = nullptr;
-    samples_on.around(sample.at.element, 0, [&](std::size_t i) {
-      Sample& other = contacts_.samples[i];
-      if (other.at.share == sample.at.share && along_.near(other.other, sample.other, 4 * kSamePlace * size.radii)) {
-        known = &other;
-      }
-    });
-    if (known != nullptr) {
-      known->share = sample.share;
-      return;
-    }
-    if (sample.share <= 0 || is_counted(sample.at, sample.other, sample.on_second)) return;
-    sample.now.stick = sample.on_second ? memory_near(sample.other, sample.at) : memory_near(sample.at, sample.other);
-    contacts_.samples.push_back(sample);
-    samples_on.add(sample.at.element);
-  }
-
-  /// Memory of the nearest place that was followed before this look and holds on to something.
-  [[nodiscard]] SlipMemory memory_near(YarnPlace first, YarnPlace second) const {
-    double least = kNearby * along_.radii(first, second);
-    SlipMemory memory;
-    const auto consider = [&](YarnPlace a, YarnPlace b, const SlipMemory& stick) {
-      if (dot(stick.normal, stick.normal) == 0 || !along_.near(a, first, least) || !along_.near(b, second, least)) {
-        return;
-      }
-      least = std::max(along_.distance(a, first), along_.distance(b, second));
-      memory = stick;
-    };
-    for (const Crossing& crossing : before_.crossings) consider(crossing.first, crossing.second, crossing.now.stick);
-    for (const Sample& sample : before_.samples) {
-      consider(sample.on_second ? sample.other : sample.at, sample.on_second ? sample.at : sample.other,
-               sample.now.stick);
-    }
-    memory.normal = {};
-    return memory;
-  }
-
   const YarnElements& elements_;
   const ContactElements& pieces_;
   const Centreline& line_;
   AlongYarns along_;
-  FollowedContacts before_;
+  const ContactMemory& memory_;
   FollowedContacts& contacts_;
   ByElement crossings_on_;
   std::vector<ElementPair> touching_;
 };
 
-/// Drops what has come apart, crossings that have run into each other, and those that samples count.
-void drop(const YarnElements& elements, FollowedContacts& contacts) {
+/// Drops crossings that have come apart, have run into each other, or are left to strips.
+void drop(const YarnElements& elements, std::vector<Crossing>& crossings) {
   const AlongYarns along(elements);
   ByElement kept_on(elements.n_nodes());
   std::vector<Crossing> kept;
-  for (const Crossing& crossing : contacts.crossings) {
+  for (const Crossing& crossing : crossings) {
     const double radii = along.radii(crossing.first, crossing.second);
     const double together = 0.1 * kSamePlace * radii;
     bool stays = crossing.is_short && crossing.is_minimum && crossing.gap < 2 * kFollowed * radii;
@@ -315,20 +218,23 @@ void drop(const YarnElements& elements, FollowedContacts& contacts) {
     kept_on.add(crossing.first.element);
     kept.push_back(crossing);
   }
-  contacts.crossings = std::move(kept);
-  std::erase_if(contacts.samples, [&](const Sample& sample) {
-    return !sample.is_minimum || sample.share <= 0 || sample.gap > 2 * kFollowed * along.radii(sample.at, sample.other);
-  });
+  crossings = std::move(kept);
 }
 
 }  // namespace
 
 void look_for_contacts(const YarnElements& elements, const ContactElements& pieces, const Centreline& line,
                        const Motion& motion, PairWatch& watch, FollowedContacts& contacts) {
-  drop(elements, contacts);
-  Look look(elements, pieces, line, contacts);
+  const FollowedContacts before = contacts;
+  const ContactMemory memory(elements, before);
+  drop(elements, contacts.crossings);
+  Look look(elements, pieces, line, memory, contacts);
   watch.look_at_all(pieces, motion, [&](ElementPair pair) { return look.at(pair); });
-  look.sample();
+  look.leave_doubles();
+  lay_strips(
+      elements, pieces, line, look.touching(),
+      [&](YarnPlace first, YarnPlace second) { return look.is_counted(first, second); }, before.sides, memory,
+      contacts);
 }
 
 }  // namespace knitmech::contact

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cmath>
-#include <numbers>
 
 #include "base/vectorise.h"
 
@@ -59,53 +58,14 @@ KNITMECH_INLINE double integral_of_energy(double penetration, double radii) {
   return radii * radii * radii * (x - 0.5 * x * x + (1 - x) * std::log1p(-x));
 }
 
-/// The law integrated across a strip on which the penetration falls as a parabola: over all y with d > y^2 / 2.
-struct StripLaw {
-  double force;    ///< integral of f(d - y^2 / 2) dy [mm^(3/2)]  =  (4 sqrt 2 / 3) d^(3/2) + ...
-  double tangent;  ///< its derivative by d [mm^(1/2)]
-  double energy;   ///< integral of e(d - y^2 / 2) dy [mm^(5/2)]  =  (8 sqrt 2 / 15) d^(5/2) + ...
-};
-
-/// By its series in d / D, for small overlaps.
-KNITMECH_INLINE StripLaw small_strip_law(double penetration, double radii) {
-  constexpr double kRoot2 = std::numbers::sqrt2;
-  const double x = penetration / radii;
-  const double q = std::sqrt(x);
-  const double root = std::sqrt(radii);
-  const double force = 2.0 / 3 + x * (8.0 / 15 + x * (16.0 / 35 + x * (128.0 / 315 + x * (256.0 / 693))));
-  const double slope = 1 + x * (4.0 / 3 + x * (8.0 / 5 + x * (64.0 / 35 + x * (128.0 / 63))));
-  const double energy = 2.0 / 15 + x * (8.0 / 105 + x * (16.0 / 315 + x * (128.0 / 3465 + x * (256.0 / 9009))));
-  return {2 * kRoot2 * radii * root * q * x * force, 2 * kRoot2 * root * q * slope,
-          4 * kRoot2 * radii * radii * root * q * x * x * energy};
-}
-
-/// With q = sqrt(d / D) and a = arcsin q:
-///
-///     force    2 sqrt 2 D^(3/2) (a / sqrt(1 - q^2) - q)
-///     tangent  sqrt 2 D^(1/2) (q + a / sqrt(1 - q^2)) / (1 - q^2)
-///     energy   4 sqrt 2 D^(5/2) (q - sqrt(1 - q^2) a - q^3 / 3)
-KNITMECH_INLINE StripLaw strip_law(double penetration, double radii) {
-  constexpr double kRoot2 = std::numbers::sqrt2;
-  const double x = penetration / radii;
-  if (x <= kSmallOverlap) return small_strip_law(penetration, radii);
-  const double q = std::sqrt(x);
-  const double root = std::sqrt(radii);
-  const double along = std::sqrt(1 - x);
-  const double a = std::asin(q);
-  return {2 * kRoot2 * radii * root * (a / along - q), kRoot2 * root * (q + a / along) / (1 - x),
-          4 * kRoot2 * radii * radii * root * (q - along * a - q * x / 3)};
-}
-
 /// The laws for any overlap, and for small ones: without branches, for contacts that are evaluated side by side.
 struct AnyOverlap {
   static KNITMECH_INLINE double energy(double d, double radii) { return normal_energy(d, radii); }
   static KNITMECH_INLINE double integral(double d, double radii) { return integral_of_energy(d, radii); }
-  static KNITMECH_INLINE StripLaw strip(double d, double radii) { return strip_law(d, radii); }
 };
 struct SmallOverlap {
   static KNITMECH_INLINE double energy(double d, double radii) { return small_normal_energy(d, radii); }
   static KNITMECH_INLINE double integral(double d, double radii) { return small_integral_of_energy(d, radii); }
-  static KNITMECH_INLINE StripLaw strip(double d, double radii) { return small_strip_law(d, radii); }
 };
 
 }  // namespace knitmech::contact

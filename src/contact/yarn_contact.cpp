@@ -46,7 +46,7 @@ void YarnContact::search(const model::State& state) {
   watch_.begin(find_neighbours(pieces_, centreline_.piece_positions(pieces_), bulges, skin_));
   motion_.start_anew();
   for (Crossing& crossing : followed_.crossings) crossing.wake = 0;
-  for (Sample& sample : followed_.samples) sample.wake = 0;
+  for (Strip& strip : followed_.strips) strip.wake = 0;
   common_motion_ = fit_common_motion(state);
   ++searches_;
   check_crossings();
@@ -79,7 +79,7 @@ void YarnContact::add_forces(const model::State& state, double step, model::Noda
   const bool search_is_due = searches_ == 0 || motion_.largest() >= 0.5 * skin_;
   if (search_is_due) search(state);
   if (motion_.largest() - checked_at_ >= kCheckCrossings * 2 * pieces_.largest_radius) check_crossings();
-  if (search_is_due || motion_.since_look() >= kLookTogether * pieces_.largest_radius) look();
+  if (search_is_due || motion_.since_look() >= kLookAgain * pieces_.largest_radius) look();
   if (centreline_.is_smooth()) {
     const ContactStep done =
         add_smooth_forces(elements_, centreline_, law_, motion_, state, step, followed_, loads, lost_);

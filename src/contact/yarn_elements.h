@@ -36,6 +36,13 @@ using YarnPlace = model::ElementPlace;
   return elements.before[element] + place.share * elements.length[element];
 }
 
+/// Distance along the yarn from a place to its nearer end [mm]; not above 0 at the end itself.
+KNITMECH_INLINE double to_nearer_end(const YarnElements& elements, YarnPlace place) {
+  const auto element = static_cast<std::size_t>(place.element);
+  const double along = place.share * elements.length[element];
+  return std::min(elements.before[element] + along, elements.after[element] - along);
+}
+
 /// The same place when the share lies beyond the element: on the element there, or held at the yarn's end.
 KNITMECH_INLINE YarnPlace walk(const YarnElements& elements, YarnPlace place) {
   auto element = static_cast<std::size_t>(place.element);

@@ -17,7 +17,6 @@ namespace {
 constexpr double kDensity = 2e4;      // N/mm^3
 constexpr double kFriction = 0.3;     // -
 constexpr double kStick = 16.0;       // N/mm
-constexpr double kWeight = 0.02;      // mm, of a sample
 constexpr double kStep = 1e-6;        // s
 constexpr double kExactness = 1e-12;  // -, of all results
 
@@ -32,14 +31,13 @@ struct Plain {
   Vector3 motion;  ///< [mm]
 };
 
-Plain plain(const Scene& scene, Kind kind) {
+Plain plain(const Scene& scene) {
   Plain result;
-  result.here = follow(scene, kind);
+  result.here = follow(scene);
   const Followed& here = result.here;
   const double distance = length(here.at.between);
   const PairSize size{kRadii, kDensity, scene.elements.length[1], scene.elements.length[5]};
-  result.pair = kind == Kind::crossing ? crossing_load(here.at, here.hessian, distance, size)
-                                       : sample_load(here.at, here.hessian, distance, size, kWeight);
+  result.pair = crossing_load(here.at, here.hessian, distance, size);
   result.stick = scene.stick;
   result.limit = kFriction * result.pair.load;
   result.motion =
@@ -75,18 +73,9 @@ void put(const Scene& scene, ContactBatch& batch, std::size_t lane) {
   batch.density[lane] = kDensity;
   batch.friction[lane] = kFriction;
   batch.stick_stiffness[lane] = kStick;
-  batch.weight[lane] = kWeight;
   batch.elastic_slip.set(lane, scene.stick.elastic_slip);
   batch.normal.set(lane, scene.stick.normal);
   batch.n = std::max(batch.n, lane + 1);
-}
-
-void evaluate(ContactBatch& batch, Kind kind) {
-  if (kind == Kind::crossing) {
-    evaluate_crossings(batch, kStep);
-  } else {
-    evaluate_samples(batch, kStep);
-  }
 }
 
 void expect_near(Vector3 a, Vector3 b, double size) {
@@ -129,9 +118,7 @@ void expect_same(const ContactBatch& batch, std::size_t lane, const Scene& scene
   expect_near(batch.normal.at(lane), expected.stick.normal, 1);
 }
 
-class Batch : public testing::TestWithParam<Kind> {};
-
-TEST_P(Batch, GivenThousandsOfRandomContacts_ThenEveryLaneIsWhatThePlainFunctionsSay) {
+TEST(CrossingBatch, GivenThousandsOfRandomContacts_ThenEveryLaneIsWhatThePlainFunctionsSay) {
   std::mt19937 random(19);
   int slips = 0;
   constexpr int kBatches = 500;
@@ -139,12 +126,12 @@ TEST_P(Batch, GivenThousandsOfRandomContacts_ThenEveryLaneIsWhatThePlainFunction
     ContactBatch batch{};
     std::vector<Scene> scenes;
     for (std::size_t lane = 0; lane < kLanes; ++lane) {
-      scenes.push_back(random_scene(random, GetParam()));
+      scenes.push_back(random_scene(random));
       put(scenes.back(), batch, lane);
     }
-    evaluate(batch, GetParam());
+    evaluate_crossings(batch, kStep);
     for (std::size_t lane = 0; lane < kLanes; ++lane) {
-      const Plain expected = plain(scenes[lane], GetParam());
+      const Plain expected = plain(scenes[lane]);
       slips += expected.stick.slips ? 1 : 0;
       expect_same(batch, lane, scenes[lane], expected);
       ASSERT_FALSE(HasFailure()) << "batch " << trial << ", lane " << lane;
@@ -158,96 +145,91 @@ TEST_P(Batch, GivenThousandsOfRandomContacts_ThenEveryLaneIsWhatThePlainFunction
 constexpr double kUsual = 0.5 * kSmallOverlap * kRadii;  // mm, penetration
 
 /// Whether a contact in the midst of usual ones says that it is regular; the others must not notice it.
-bool is_regular(Kind kind, const Scene& scene, const std::function<void(ContactBatch&, std::size_t)>& change = {}) {
+bool is_regular(const Scene& scene, const std::function<void(ContactBatch&, std::size_t)>& change = {}) {
   const Scene usual = straight_scene(kUsual);
   constexpr std::size_t kLane = 3;
   ContactBatch batch{};
   for (std::size_t lane = 0; lane < kLanes; ++lane) put(lane == kLane ? scene : usual, batch, lane);
   if (change) change(batch, kLane);
-  evaluate(batch, kind);
-  const Plain expected = plain(usual, kind);
+  evaluate_crossings(batch, kStep);
+  const Plain expected = plain(usual);
   for (std::size_t lane = 0; lane < kLanes; ++lane) {
     if (lane != kLane) expect_same(batch, lane, usual, expected);
   }
   return batch.regular[kLane] != 0;
 }
 
-TEST_P(Batch, GivenAnOverlapThatIsNotSmall_ThenItsLaneIsNotRegular) {
-  EXPECT_TRUE(is_regular(GetParam(), straight_scene(0.999 * kSmallOverlap * kRadii)));
-  EXPECT_FALSE(is_regular(GetParam(), straight_scene(1.001 * kSmallOverlap * kRadii)));
-  EXPECT_FALSE(is_regular(GetParam(), straight_scene(0.5 * kRadii)));
+TEST(CrossingBatch, GivenAnOverlapThatIsNotSmall_ThenItsLaneIsNotRegular) {
+  EXPECT_TRUE(is_regular(straight_scene(0.999 * kSmallOverlap * kRadii)));
+  EXPECT_FALSE(is_regular(straight_scene(1.001 * kSmallOverlap * kRadii)));
+  EXPECT_FALSE(is_regular(straight_scene(0.5 * kRadii)));
 }
 
-TEST_P(Batch, GivenYarnsThatDoNotTouch_ThenTheirLaneIsNotRegular) {
-  EXPECT_TRUE(is_regular(GetParam(), straight_scene(1e-6)));
-  EXPECT_FALSE(is_regular(GetParam(), straight_scene(-1e-6)));
-  EXPECT_FALSE(is_regular(GetParam(), straight_scene(-0.1)));
+TEST(CrossingBatch, GivenYarnsThatDoNotTouch_ThenTheirLaneIsNotRegular) {
+  EXPECT_TRUE(is_regular(straight_scene(1e-6)));
+  EXPECT_FALSE(is_regular(straight_scene(-1e-6)));
+  EXPECT_FALSE(is_regular(straight_scene(-0.1)));
 }
 
-TEST_P(Batch, GivenAPlaceThatLeavesItsElement_ThenItsLaneIsNotRegular) {
+TEST(CrossingBatch, GivenAPlaceThatLeavesItsElement_ThenItsLaneIsNotRegular) {
   const auto leaves = [](double from) {
     return [from](ContactBatch& batch, std::size_t lane) { batch.second.share[lane] = from; };
   };
-  EXPECT_TRUE(is_regular(GetParam(), straight_scene(kUsual, 0.5, 0.99999), leaves(0.99995)));
-  EXPECT_FALSE(is_regular(GetParam(), straight_scene(kUsual, 0.5, 1.00001), leaves(0.99995)));
-  EXPECT_TRUE(is_regular(GetParam(), straight_scene(kUsual, 0.5, 0.00001), leaves(0.00005)));
-  EXPECT_FALSE(is_regular(GetParam(), straight_scene(kUsual, 0.5, -0.00001), leaves(0.00005)));
+  EXPECT_TRUE(is_regular(straight_scene(kUsual, 0.5, 0.99999), leaves(0.99995)));
+  EXPECT_FALSE(is_regular(straight_scene(kUsual, 0.5, 1.00001), leaves(0.99995)));
+  EXPECT_TRUE(is_regular(straight_scene(kUsual, 0.5, 0.00001), leaves(0.00005)));
+  EXPECT_FALSE(is_regular(straight_scene(kUsual, 0.5, -0.00001), leaves(0.00005)));
 }
 
-TEST_P(Batch, GivenAPlaceThatMovesFar_ThenItsLaneIsNotRegular) {
+TEST(CrossingBatch, GivenAPlaceThatMovesFar_ThenItsLaneIsNotRegular) {
   const auto starts_off_by = [](double shares) {
     return [shares](ContactBatch& batch, std::size_t lane) { batch.second.share[lane] += shares; };
   };
   for (const double sign : {-1, 1}) {
-    EXPECT_TRUE(is_regular(GetParam(), straight_scene(kUsual), starts_off_by(sign * 0.99 * kFineStep)));
-    EXPECT_FALSE(is_regular(GetParam(), straight_scene(kUsual), starts_off_by(sign * 1.01 * kFineStep)));
+    EXPECT_TRUE(is_regular(straight_scene(kUsual), starts_off_by(sign * 0.99 * kFineStep)));
+    EXPECT_FALSE(is_regular(straight_scene(kUsual), starts_off_by(sign * 1.01 * kFineStep)));
   }
 }
 
-TEST_P(Batch, GivenAYarnThatEndsWithinTheOverlap_ThenItsLaneIsNotRegular) {
+TEST(CrossingBatch, GivenAYarnThatEndsWithinTheOverlap_ThenItsLaneIsNotRegular) {
   // The gap of yarns at a right angle grows by y^2 / (2 distance): the overlap ends sqrt(2 d distance) off its middle.
   const double half = std::sqrt(2 * kUsual * (kRadii - kUsual));
   const auto ends_after = [](double to_end) {
     return [to_end](ContactBatch& batch, std::size_t lane) { batch.second.to_end[lane] = to_end; };
   };
-  EXPECT_TRUE(is_regular(GetParam(), straight_scene(kUsual), ends_after(1.001 * half)));
-  EXPECT_FALSE(is_regular(GetParam(), straight_scene(kUsual), ends_after(0.999 * half)));
-  EXPECT_FALSE(is_regular(GetParam(), straight_scene(kUsual), ends_after(0)));
+  EXPECT_TRUE(is_regular(straight_scene(kUsual), ends_after(1.001 * half)));
+  EXPECT_FALSE(is_regular(straight_scene(kUsual), ends_after(0.999 * half)));
+  EXPECT_FALSE(is_regular(straight_scene(kUsual), ends_after(0)));
 }
 
 TEST(CrossingBatch, GivenAFirstYarnThatLeavesItsElementMovesFarOrEnds_ThenTheLaneIsNotRegularEither) {
   const auto starts = [](double share) {
     return [share](ContactBatch& batch, std::size_t lane) { batch.first.share[lane] = share; };
   };
-  EXPECT_TRUE(is_regular(Kind::crossing, straight_scene(kUsual, 0.99999), starts(0.99995)));
-  EXPECT_FALSE(is_regular(Kind::crossing, straight_scene(kUsual, 1.00001), starts(0.99995)));
-  EXPECT_TRUE(is_regular(Kind::crossing, straight_scene(kUsual), starts(0.5 + 0.99 * kFineStep)));
-  EXPECT_FALSE(is_regular(Kind::crossing, straight_scene(kUsual), starts(0.5 + 1.01 * kFineStep)));
+  EXPECT_TRUE(is_regular(straight_scene(kUsual, 0.99999), starts(0.99995)));
+  EXPECT_FALSE(is_regular(straight_scene(kUsual, 1.00001), starts(0.99995)));
+  EXPECT_TRUE(is_regular(straight_scene(kUsual), starts(0.5 + 0.99 * kFineStep)));
+  EXPECT_FALSE(is_regular(straight_scene(kUsual), starts(0.5 + 1.01 * kFineStep)));
   const double half = std::sqrt(2 * kUsual * (kRadii - kUsual));
   const auto ends_after = [](double to_end) {
     return [to_end](ContactBatch& batch, std::size_t lane) { batch.first.to_end[lane] = to_end; };
   };
-  EXPECT_TRUE(is_regular(Kind::crossing, straight_scene(kUsual), ends_after(1.001 * half)));
-  EXPECT_FALSE(is_regular(Kind::crossing, straight_scene(kUsual), ends_after(0.999 * half)));
+  EXPECT_TRUE(is_regular(straight_scene(kUsual), ends_after(1.001 * half)));
+  EXPECT_FALSE(is_regular(straight_scene(kUsual), ends_after(0.999 * half)));
 }
 
-TEST_P(Batch, GivenANormalThatHasTurnedRound_ThenItsLaneSaysSo) {
+TEST(CrossingBatch, GivenANormalThatHasTurnedRound_ThenItsLaneSaysSo) {
   for (const double old : {-1.0, 0.0, 1.0}) {
     ContactBatch batch{};
     Scene scene = straight_scene(kUsual);
     scene.stick.normal = {0, 0, old};
     put(scene, batch, 0);
-    evaluate(batch, GetParam());
+    evaluate_crossings(batch, kStep);
     EXPECT_EQ(batch.regular[0], 1.0);
     EXPECT_EQ(batch.turned_round[0], old < 0 ? 1.0 : 0.0);
     EXPECT_NEAR(batch.normal.z[0], 1, 1e-15);
   }
 }
-
-INSTANTIATE_TEST_SUITE_P(OfContacts, Batch, testing::Values(Kind::crossing, Kind::sample),
-                         [](const testing::TestParamInfo<Kind>& tested) {
-                           return tested.param == Kind::crossing ? "Crossings" : "Samples";
-                         });
 
 }  // namespace
 }  // namespace knitmech::contact

@@ -77,11 +77,8 @@ inline void shift_second(model::State& state, Vector3 by) {
   for (std::size_t i = 4; i < 8; ++i) state.position.add(i, by);
 }
 
-enum class Kind { crossing, sample };
-
-inline Followed follow(const Scene& scene, Kind kind) {
-  return kind == Kind::crossing ? follow_closest(scene.elements, scene.line, scene.first, scene.second)
-                                : follow_nearest(scene.elements, scene.line, scene.first, scene.second);
+inline Followed follow(const Scene& scene) {
+  return follow_closest(scene.elements, scene.line, scene.first, scene.second);
 }
 
 inline bool amid_elements(const Followed& here) {
@@ -111,21 +108,21 @@ inline Scene pressed(const Scene& apart, const Followed& here, std::mt19937& ran
 }
 
 /// Moves the places off by what one step of Newton's method brings them back.
-inline void move_off(Scene& scene, Kind kind, std::mt19937& random) {
+inline void move_off(Scene& scene, std::mt19937& random) {
   std::uniform_real_distribution<double> error(-kPlaceError, kPlaceError);
-  if (kind == Kind::crossing) scene.first.share += error(random);
+  scene.first.share += error(random);
   scene.second.share += error(random);
 }
 
-inline Scene random_scene(std::mt19937& random, Kind kind) {
+inline Scene random_scene(std::mt19937& random) {
   for (;;) {
     const model::Model model = bent_yarns(random);
     const Scene apart(model, turned_state(model, random));
-    const Followed crossing = follow(apart, Kind::crossing);
+    const Followed crossing = follow(apart);
     if (!amid_elements(crossing)) continue;
     Scene scene = pressed(apart, crossing, random);
-    if (!amid_elements(follow(scene, kind))) continue;
-    move_off(scene, kind, random);
+    if (!amid_elements(follow(scene))) continue;
+    move_off(scene, random);
     return scene;
   }
 }

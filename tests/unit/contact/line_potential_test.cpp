@@ -67,19 +67,6 @@ Found crossing_of(const CurvePair& pair) {
   return found;
 }
 
-constexpr double kSampledLength = 0.02;  // mm
-
-Found sample_of(const CurvePair& pair, double s) {
-  Found found{};
-  found.at = closest_on_second(pair.curves[0], pair.curves[1], s, 0.5);
-  const double distance = length(found.at.between);
-  found.is_crossing = found.at.is_minimum && distance < kRadii && std::abs(found.at.t - 0.5) < 0.45;
-  if (!found.is_crossing) return found;
-  const Places at = places(pair, s, found.at.t);
-  found.load = sample_load(at, hessian(at), distance, kSize, kSampledLength);
-  return found;
-}
-
 /// What a load on a curve does to the curve's twelve numbers: minus the derivative of the energy by them.
 double on_number(const CurveLoad& load, double place, std::size_t i) {
   const HermiteWeights value = hermite(place);
@@ -131,21 +118,6 @@ TEST(LinePotential, GivenThousandsOfCrossings_ThenTheLoadsAreTheDerivativesOfThe
   EXPECT_GT(tried, 1500);
 }
 
-TEST(LinePotential, GivenThousandsOfSamples_ThenTheLoadsAreTheDerivativesOfTheEnergy) {
-  std::mt19937 random(5);
-  int tried = 0;
-  for (int trial = 0; trial < 5000; ++trial) {
-    const CurvePair pair = random_pair(random);
-    const double place = 0.3 + 0.4 * (trial % 10) / 10.0;
-    const auto again = [&](const CurvePair& moved) { return sample_of(moved, place); };
-    const Found found = again(pair);
-    if (!found.is_crossing || found.load.energy < 1e-9) continue;
-    ++tried;
-    EXPECT_LT(error_of_loads(pair, found, again), 5e-5);
-  }
-  EXPECT_GT(tried, 1000);
-}
-
 /// The energy by its definition, both curves cut into many short pieces.
 double plain_energy(const CurvePair& pair) {
   constexpr int kCuts = 1200;
@@ -173,30 +145,6 @@ TEST(LinePotential, GivenCrossings_ThenTheEnergyIsTheDoubleIntegralOfItsDefiniti
     // The distance is taken as a parabola: the next terms make up a share of the order of the penetration.
     const double plain = plain_energy(pair);
     EXPECT_NEAR(found.load.energy, plain, (0.005 + penetration / kRadii) * plain);
-  }
-}
-
-TEST(LinePotential, GivenAllSamplesOfACrossing_ThenTheirSumIsTheCrossing) {
-  std::mt19937 random(11);
-  int tried = 0;
-  while (tried < 25) {
-    const CurvePair pair = random_pair(random);
-    const Found found = crossing_of(pair);
-    if (!found.is_crossing) continue;
-    const double penetration = kRadii - length(found.at.between);
-    if (penetration < 0.01 * kRadii || std::abs(found.at.s - 0.5) > 0.1 || std::abs(found.at.t - 0.5) > 0.1) continue;
-    ++tried;
-    constexpr int kSamples = 400;
-    double energy = 0;
-    double load = 0;
-    for (int i = 0; i < kSamples; ++i) {
-      const Found sample = sample_of(pair, (i + 0.5) / kSamples);
-      if (!sample.is_crossing) continue;
-      energy += sample.load.energy * kLengthA / kSamples / kSampledLength;
-      load += sample.load.load * kLengthA / kSamples / kSampledLength;
-    }
-    EXPECT_NEAR(energy, found.load.energy, (0.005 + penetration / kRadii) * energy);
-    EXPECT_NEAR(load, found.load.load, (0.005 + penetration / kRadii) * load);
   }
 }
 

@@ -1,0 +1,374 @@
+#include "contact/lay_strips.h"
+
+#include <algorithm>
+#include <cmath>
+#include <compare>
+#include <numbers>
+#include <unordered_map>
+#include <utility>
+
+#include "base/vectorise.h"
+#include "contact/constants.h"
+
+namespace knitmech::contact {
+
+namespace {
+
+/// How far a new place may be from the one whose memory it takes [sums of the radii].
+constexpr double kNearby = 1.0;
+
+/// Rise of the squared distance along a yarn, see rise_along(), that is small beside that of yarns that cross [-].
+constexpr double kEvenRise = 0.1;
+
+/// A piece of a yarn, cut into n equal parts.
+struct CutPiece {
+  std::int32_t piece;
+  int n;
+  auto operator<=>(const CutPiece&) const = default;
+};
+
+/// A part of a cut piece.
+struct Part {
+  CutPiece of;
+  int at;
+  auto operator<=>(const Part&) const = default;
+};
+
+/// A strip and cells of one piece, one after the other, that may touch.
+struct Touch {
+  Part strip;
+  CutPiece of;
+  int first, last;
+  auto operator<=>(const Touch&) const = default;
+};
+
+/// Points of a cut piece, as far as its parts are needed.
+struct PointRange {
+  CutPiece of;
+  int first, last;
+  std::size_t first_point = 0;
+};
+
+/// The ranges of all cut pieces that are needed.
+class NeededPoints {
+ public:
+  void need(CutPiece of, int first, int last) {
+    const auto [at, is_new] = number_.try_emplace(key(of), ranges_.size());
+    if (is_new) ranges_.push_back({of, first, last});
+    PointRange& range = ranges_[at->second];
+    range.first = std::min(range.first, first);
+    range.last = std::max(range.last, last);
+  }
+  [[nodiscard]] std::vector<PointRange>& ranges() { return ranges_; }
+  [[nodiscard]] const PointRange& of(CutPiece piece) const { return ranges_[number_.at(key(piece))]; }
+
+ private:
+  static std::uint64_t key(CutPiece of) {
+    return (static_cast<std::uint64_t>(of.piece) << 32) | static_cast<std::uint64_t>(of.n);
+  }
+  std::unordered_map<std::uint64_t, std::size_t> number_;
+  std::vector<PointRange> ranges_;
+};
+
+/// Points as separate components.
+struct PointList {
+  std::vector<double> x, y, z;
+  void clear() {
+    x.clear();
+    y.clear();
+    z.clear();
+  }
+  void add(Vector3 v) {
+    x.push_back(v.x);
+    y.push_back(v.y);
+    z.push_back(v.z);
+  }
+  [[nodiscard]] std::size_t size() const { return x.size(); }
+  [[nodiscard]] Vector3 at(std::size_t i) const { return {x[i], y[i], z[i]}; }
+};
+
+/// Squared distances of points from a point, and the least of each before and now.
+KNITMECH_VECTORISE void squared_distances(Vector3 from, std::size_t n, const double* x, const double* y,
+                                          const double* z, double* squared, double* least) {
+#pragma omp simd
+  for (std::size_t j = 0; j < n; ++j) {
+    const double dx = x[j] - from.x;
+    const double dy = y[j] - from.y;
+    const double dz = z[j] - from.z;
+    squared[j] = dx * dx + dy * dy + dz * dz;
+    least[j] = squared[j] < least[j] ? squared[j] : least[j];
+  }
+}
+
+class Layout {
+ public:
+  Layout(const YarnElements& elements, const ContactElements& pieces, const Centreline& line,
+         const CountedElsewhere& is_counted)
+      : elements_(elements), pieces_(pieces), line_(line), is_counted_(is_counted) {}
+
+  /// Finds the strips and cells of a pair of pieces that may touch. \param was_on_second kept where both are alike
+  void add(ElementPair pair, bool was_on_second, std::vector<PairSide>& sides) {
+    const double radii = radius(pair.first) + radius(pair.second);
+    middles(cut(pair.first, kStripLength * radii), first_points_);
+    middles(cut(pair.second, kStripLength * radii), second_points_);
+    const double reach = radii * (1 + kFollowed) + 0.5 * kStripLength * radii;
+    if (find_profiles() > reach * reach) return;
+    const bool on_second = cuts_second(pair, was_on_second);
+    const std::size_t before = touches_.size();
+    if (on_second) {
+      add_touches(pair.second, pair.first, true, second_points_, second_profile_);
+    } else {
+      add_touches(pair.first, pair.second, false, first_points_, first_profile_);
+    }
+    if (touches_.size() > before) sides.push_back({pair, on_second});
+  }
+
+  /// Makes the strips out of what was found.
+  void lay(FollowedContacts& contacts) {
+    std::sort(touches_.begin(), touches_.end());
+    contacts.strips.clear();
+    contacts.spans.clear();
+    contacts.points.clear();
+    NeededPoints strips;
+    NeededPoints cells;
+    for (const Touch& touch : touches_) {
+      strips.need(touch.strip.of, touch.strip.at, touch.strip.at);
+      cells.need(touch.of, touch.first, touch.last);
+    }
+    place_middles(strips.ranges(), contacts.points);
+    place_cells(cells.ranges(), contacts.points);
+    for (std::size_t i = 0; i < touches_.size();) {
+      std::size_t end = i + 1;
+      while (end < touches_.size() && follows(touches_[end - 1], touches_[end])) ++end;
+      add_strip(i, end, strips, cells, contacts);
+      i = end;
+    }
+  }
+
+ private:
+  [[nodiscard]] double radius(std::int32_t piece) const { return pieces_.radius[static_cast<std::size_t>(piece)]; }
+  [[nodiscard]] double length_of(std::int32_t piece) const {
+    return elements_.length[static_cast<std::size_t>(pieces_.element_of(piece))] / pieces_.pieces_per_element;
+  }
+  [[nodiscard]] CutPiece cut(std::int32_t piece, double size) const {
+    return {piece, std::clamp(static_cast<int>(std::ceil(length_of(piece) / size)), 1, kMostOnPiece)};
+  }
+  [[nodiscard]] YarnPlace place(std::int32_t piece, double on_piece) const {
+    return {pieces_.element_of(piece), pieces_.place_on_element(piece, on_piece)};
+  }
+
+  void middles(CutPiece of, PointList& points) const {
+    const Curve curve = line_.curve(static_cast<std::size_t>(pieces_.element_of(of.piece)));
+    points.clear();
+    for (int i = 0; i < of.n; ++i) {
+      points.add(combine(curve, hermite(pieces_.place_on_element(of.piece, (i + 0.5) / of.n))));
+    }
+  }
+
+  /// Squared distance of every point of each piece from the nearest one of the other. \return the least of all
+  double find_profiles() {
+    first_profile_.clear();
+    second_profile_.assign(second_points_.size(), 1e300);
+    squared_.resize(second_points_.size());
+    for (std::size_t i = 0; i < first_points_.size(); ++i) {
+      squared_distances(first_points_.at(i), second_points_.size(), second_points_.x.data(), second_points_.y.data(),
+                        second_points_.z.data(), squared_.data(), second_profile_.data());
+      first_profile_.push_back(*std::min_element(squared_.begin(), squared_.end()));
+    }
+    return *std::min_element(first_profile_.begin(), first_profile_.end());
+  }
+
+  /// Whether the second piece is the one to be cut into strips: that along which the distance changes less.
+  [[nodiscard]] bool cuts_second(ElementPair pair, bool was_on_second) const {
+    const double first = rise_along(first_profile_, length_of(pair.first)) + kEvenRise;
+    const double second = rise_along(second_profile_, length_of(pair.second)) + kEvenRise;
+    if (second > kSidesAlike * first) return false;
+    if (first > kSidesAlike * second) return true;
+    return was_on_second;
+  }
+
+  /// How the squared distance rises along a piece, from where it is least to where it is greatest, over the square of
+  /// the way [-]: 1 for straight yarns that cross at a right angle, 0 where they lie side by side.
+  [[nodiscard]] static double rise_along(const std::vector<double>& profile, double length) {
+    const auto least = std::min_element(profile.begin(), profile.end());
+    const auto most = std::max_element(profile.begin(), profile.end());
+    const double way = static_cast<double>(most - least) * length / static_cast<double>(profile.size());
+    return way == 0 ? 0 : (*most - *least) / (way * way);
+  }
+
+  void add_touches(std::int32_t piece, std::int32_t other, bool on_second, const PointList& strip_points,
+                   const std::vector<double>& profile) {
+    const double radii = radius(piece) + radius(other);
+    const CutPiece strips{piece, static_cast<int>(strip_points.size())};
+    const CutPiece cells = cut(other, kCellLength * radii);
+    const Curve curve = line_.curve(static_cast<std::size_t>(pieces_.element_of(other)));
+    const double reach = radii * (1 + kFollowed);
+    const double far = reach + 0.5 * kStripLength * radii;
+    cell_points_.clear();
+    for (int j = 0; j <= 2 * cells.n; ++j) {
+      cell_points_.add(combine(curve, hermite(pieces_.place_on_element(other, 0.5 * j / cells.n))));
+    }
+    squared_.resize(cell_points_.size());
+    least_.assign(cell_points_.size(), 0.0);
+    for (int i = 0; i < strips.n; ++i) {
+      if (profile[static_cast<std::size_t>(i)] > far * far) continue;
+      squared_distances(strip_points.at(static_cast<std::size_t>(i)), cell_points_.size(), cell_points_.x.data(),
+                        cell_points_.y.data(), cell_points_.z.data(), squared_.data(), least_.data());
+      const YarnPlace at = place(piece, (i + 0.5) / strips.n);
+      const std::size_t before = touches_.size();
+      for (int c = 0; c < cells.n; ++c) {
+        const auto p = static_cast<std::size_t>(2 * c);
+        if (std::min({squared_[p], squared_[p + 1], squared_[p + 2]}) >= reach * reach) continue;
+        const YarnPlace there = place(other, (c + 0.5) / cells.n);
+        if (too_near(at, there, radii) || (on_second ? is_counted_(there, at) : is_counted_(at, there))) continue;
+        if (touches_.size() > before && touches_.back().last == c - 1) {
+          touches_.back().last = c;
+        } else {
+          touches_.push_back({{strips, i}, cells, c, c});
+        }
+      }
+    }
+  }
+
+  /// Whether two places of one yarn are so near along it that they cannot touch.
+  [[nodiscard]] bool too_near(YarnPlace a, YarnPlace b, double radii) const {
+    return elements_.yarn[static_cast<std::size_t>(a.element)] == elements_.yarn[static_cast<std::size_t>(b.element)] &&
+           std::abs(arc_of(elements_, a) - arc_of(elements_, b)) < kSelfContactArc * std::numbers::pi * radii;
+  }
+
+  /// Whether the cells of a touch go on where those of the touch before end, for the same strip.
+  [[nodiscard]] bool follows(const Touch& before, const Touch& next) const {
+    return next.strip == before.strip && next.of.piece == before.of.piece + 1 &&
+           pieces_.has_next(static_cast<std::size_t>(before.of.piece)) && before.last == before.of.n - 1 &&
+           next.first == 0;
+  }
+
+  void place_middles(std::vector<PointRange>& ranges, PlacedPoints& points) const {
+    std::vector<double> shares;
+    for (PointRange& range : ranges) {
+      shares.clear();
+      for (int i = range.first; i <= range.last; ++i) {
+        shares.push_back(pieces_.place_on_element(range.of.piece, (i + 0.5) / range.of.n));
+      }
+      range.first_point = points.add(pieces_.element_of(range.of.piece), shares);
+    }
+  }
+
+  /// Two points to a cell, its start and its middle, and the end of the last.
+  void place_cells(std::vector<PointRange>& ranges, PlacedPoints& points) const {
+    std::vector<double> shares;
+    for (PointRange& range : ranges) {
+      shares.clear();
+      for (int j = 2 * range.first; j <= 2 * range.last + 2; ++j) {
+        shares.push_back(pieces_.place_on_element(range.of.piece, 0.5 * j / range.of.n));
+      }
+      range.first_point = points.add(pieces_.element_of(range.of.piece), shares);
+    }
+  }
+
+  void add_strip(std::size_t from, std::size_t to, const NeededPoints& strips, const NeededPoints& cells,
+                 FollowedContacts& contacts) const {
+    const Part& part = touches_[from].strip;
+    const PointRange& middles = strips.of(part.of);
+    Strip strip;
+    strip.at = place(part.of.piece, (part.at + 0.5) / part.of.n);
+    strip.point = middles.first_point + static_cast<std::size_t>(part.at - middles.first);
+    strip.length = length_of(part.of.piece) / part.of.n;
+    strip.first_span = contacts.spans.size();
+    for (std::size_t i = from; i < to; ++i) {
+      const Touch& touch = touches_[i];
+      const PointRange& range = cells.of(touch.of);
+      contacts.spans.push_back({range.first_point + static_cast<std::size_t>(2 * (touch.first - range.first)),
+                                static_cast<std::size_t>(touch.last - touch.first + 1),
+                                length_of(touch.of.piece) / touch.of.n});
+    }
+    strip.n_spans = to - from;
+    const Touch& amid = touches_[(from + to - 1) / 2];
+    strip.other = place(amid.of.piece, 0.5 * (amid.first + amid.last + 1) / amid.of.n);
+    contacts.strips.push_back(strip);
+  }
+
+  const YarnElements& elements_;
+  const ContactElements& pieces_;
+  const Centreline& line_;
+  const CountedElsewhere& is_counted_;
+  PointList first_points_, second_points_, cell_points_;
+  std::vector<double> first_profile_, second_profile_, squared_, least_;
+  std::vector<Touch> touches_;
+};
+
+/// Gives new strips what those that lay at the same places knew, and others what contacts nearby held on to.
+void remember(const ContactMemory& memory, std::vector<Strip>& strips) {
+  for (Strip& strip : strips) {
+    if (const Strip* known = memory.strip(strip.at, strip.other)) {
+      strip.other = known->other;
+      strip.wake = known->wake;
+      strip.now = known->now;
+    } else {
+      strip.now.stick = memory.near(strip.at, strip.other);
+    }
+  }
+}
+
+}  // namespace
+
+ContactMemory::ContactMemory(const YarnElements& elements, const FollowedContacts& before)
+    : along_(elements), before_(before), held_on_(elements.n_nodes()), strips_on_(elements.n_nodes()) {
+  const auto hold = [&](YarnPlace first, YarnPlace second, const SlipMemory& stick) {
+    if (dot(stick.normal, stick.normal) == 0) return;
+    held_.push_back({first, second, stick});
+    held_.push_back({second, first, flipped(stick)});
+    held_on_.add(first.element);
+    held_on_.add(second.element);
+  };
+  for (const Crossing& crossing : before.crossings) hold(crossing.first, crossing.second, crossing.now.stick);
+  for (const Strip& strip : before.strips) {
+    hold(strip.at, strip.other, strip.now.stick);
+    strips_on_.add(strip.at.element);
+  }
+}
+
+SlipMemory ContactMemory::near(YarnPlace first, YarnPlace second) const {
+  double least = kNearby * along_.radii(first, second);
+  SlipMemory memory;
+  held_on_.around(first.element, along_.elements_within(least), [&](std::size_t i) {
+    const Held& held = held_[i];
+    if (!along_.near(held.first, first, least) || !along_.near(held.second, second, least)) return;
+    least = std::max(along_.distance(held.first, first), along_.distance(held.second, second));
+    memory = held.stick;
+  });
+  memory.normal = {};
+  return memory;
+}
+
+const Strip* ContactMemory::strip(YarnPlace at, YarnPlace other) const {
+  const Strip* known = nullptr;
+  double least = kNearby * along_.radii(at, other);
+  strips_on_.around(at.element, 0, [&](std::size_t i) {
+    const Strip& old = before_.strips[i];
+    if (old.at.share != at.share || !along_.near(old.other, other, least)) return;
+    least = along_.distance(old.other, other);
+    known = &old;
+  });
+  return known;
+}
+
+void lay_strips(const YarnElements& elements, const ContactElements& pieces, const Centreline& line,
+                const std::vector<ElementPair>& touching, const CountedElsewhere& is_counted,
+                const std::vector<PairSide>& sides_before, const ContactMemory& memory, FollowedContacts& contacts) {
+  const auto pair_is_less = [](const PairSide& side, ElementPair pair) {
+    return std::pair(side.pair.first, side.pair.second) < std::pair(pair.first, pair.second);
+  };
+  Layout layout(elements, pieces, line, is_counted);
+  contacts.sides.clear();
+  for (const ElementPair pair : touching) {
+    const auto old = std::lower_bound(sides_before.begin(), sides_before.end(), pair, pair_is_less);
+    const bool was_on_second =
+        old != sides_before.end() && old->pair.first == pair.first && old->pair.second == pair.second && old->on_second;
+    layout.add(pair, was_on_second, contacts.sides);
+  }
+  layout.lay(contacts);
+  remember(memory, contacts.strips);
+}
+
+}  // namespace knitmech::contact
