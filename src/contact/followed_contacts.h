@@ -35,7 +35,8 @@ struct Crossing {
 /// Cells of the other yarn that a strip sees: stretches of equal length that follow each other on one element, each
 /// with a point at its start, its middle and its end.
 struct CellSpan {
-  std::size_t first_point = 0;  ///< index into FollowedContacts::points; cells share the points between them
+  std::size_t block = 0;        ///< of FollowedContacts::points
+  std::size_t first_point = 0;  ///< in it; cells share the points between them
   std::size_t n_cells = 0;
   double cell_length = 0;  ///< along the stress-free yarn [mm]
 };
@@ -45,7 +46,8 @@ struct CellSpan {
 struct Strip {
   YarnPlace at{};              ///< middle of the strip
   YarnPlace other{};           ///< the point of the other yarn that presses most, or is nearest
-  std::size_t point = 0;       ///< that of `at`, index into FollowedContacts::points
+  std::size_t block = 0;       ///< of FollowedContacts::points
+  std::size_t point = 0;       ///< in it, that of `at`
   std::size_t first_span = 0;  ///< index into FollowedContacts::spans
   std::size_t n_spans = 0;
   double length = 0;      ///< stress-free, of the strip [mm]

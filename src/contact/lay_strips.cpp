@@ -46,7 +46,7 @@ struct Touch {
 struct PointRange {
   CutPiece of;
   int first, last;
-  std::size_t first_point = 0;
+  std::size_t block = 0, first_point = 0;
 };
 
 /// The ranges of all cut pieces that are needed.
@@ -250,6 +250,7 @@ class Layout {
       for (int i = range.first; i <= range.last; ++i) {
         shares.push_back(pieces_.place_on_element(range.of.piece, (i + 0.5) / range.of.n));
       }
+      range.block = points.n_blocks();
       range.first_point = points.add(pieces_.element_of(range.of.piece), shares);
     }
   }
@@ -262,6 +263,7 @@ class Layout {
       for (int j = 2 * range.first; j <= 2 * range.last + 2; ++j) {
         shares.push_back(pieces_.place_on_element(range.of.piece, 0.5 * j / range.of.n));
       }
+      range.block = points.n_blocks();
       range.first_point = points.add(pieces_.element_of(range.of.piece), shares);
     }
   }
@@ -272,15 +274,16 @@ class Layout {
     const PointRange& middles = strips.of(part.of);
     Strip strip;
     strip.at = place(part.of.piece, (part.at + 0.5) / part.of.n);
+    strip.block = middles.block;
     strip.point = middles.first_point + static_cast<std::size_t>(part.at - middles.first);
     strip.length = length_of(part.of.piece) / part.of.n;
     strip.first_span = contacts.spans.size();
     for (std::size_t i = from; i < to; ++i) {
       const Touch& touch = touches_[i];
       const PointRange& range = cells.of(touch.of);
-      contacts.spans.push_back({range.first_point + static_cast<std::size_t>(2 * (touch.first - range.first)),
-                                static_cast<std::size_t>(touch.last - touch.first + 1),
-                                length_of(touch.of.piece) / touch.of.n});
+      contacts.spans.push_back(
+          {range.block, range.first_point + static_cast<std::size_t>(2 * (touch.first - range.first)),
+           static_cast<std::size_t>(touch.last - touch.first + 1), length_of(touch.of.piece) / touch.of.n});
     }
     strip.n_spans = to - from;
     const Touch& amid = touches_[(from + to - 1) / 2];

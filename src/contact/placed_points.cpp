@@ -37,6 +37,7 @@ double z_of(Vector3 v) {
 
 void PlacedPoints::clear() {
   blocks_.clear();
+  in_use_.clear();
   element_.clear();
   for (auto* values : {&share_, &on_end_, &on_start_slope_, &on_end_slope_, &on_bow_, &x_, &y_, &z_, &vx_, &vy_, &vz_,
                        &fx_, &fy_, &fz_}) {
@@ -60,36 +61,37 @@ std::size_t PlacedPoints::add(std::int32_t element, const std::vector<double>& s
   return first;
 }
 
-void PlacedPoints::update(const Centreline& line, const model::State& state) {
-  for (const Block& block : blocks_) {
-    const auto i = static_cast<std::size_t>(block.element);
-    const ElementLine element = line.element(i);
-    const Curve curve = element.curve();
-    const Vector3 start_turning = state.angular_velocity.at(i);
-    const Vector3 end_turning = state.angular_velocity.at(i + 1);
-    const Curve moving{state.velocity.at(i), state.velocity.at(i + 1), cross(start_turning, curve.start_slope),
-                       cross(end_turning, curve.end_slope),
-                       cross(start_turning, element.start_bow) + cross(end_turning, element.end_bow)};
-    const auto fill = [&](const Curve& of, double (*component)(Vector3), std::vector<double>& values) {
-      const std::size_t at = block.first;
-      const double start = component(of.start);
-      interpolate(
-          block.count,
-          {start, component(of.end) - start, component(of.start_slope), component(of.end_slope), component(of.bow)},
-          &on_end_[at], &on_start_slope_[at], &on_end_slope_[at], &on_bow_[at], &values[at]);
-    };
-    fill(curve, x_of, x_);
-    fill(curve, y_of, y_);
-    fill(curve, z_of, z_);
-    fill(moving, x_of, vx_);
-    fill(moving, y_of, vy_);
-    fill(moving, z_of, vz_);
-  }
-  for (auto* values : {&fx_, &fy_, &fz_}) std::fill(values->begin(), values->end(), 0.0);
+void PlacedPoints::update(Block& block, const Centreline& line, const model::State& state) {
+  const auto i = static_cast<std::size_t>(block.element);
+  const ElementLine element = line.element(i);
+  const Curve curve = element.curve();
+  const Vector3 start_turning = state.angular_velocity.at(i);
+  const Vector3 end_turning = state.angular_velocity.at(i + 1);
+  const Curve moving{state.velocity.at(i), state.velocity.at(i + 1), cross(start_turning, curve.start_slope),
+                     cross(end_turning, curve.end_slope),
+                     cross(start_turning, element.start_bow) + cross(end_turning, element.end_bow)};
+  const std::size_t at = block.first;
+  const auto fill = [&](const Curve& of, double (*component)(Vector3), std::vector<double>& values) {
+    const double start = component(of.start);
+    interpolate(
+        block.count,
+        {start, component(of.end) - start, component(of.start_slope), component(of.end_slope), component(of.bow)},
+        &on_end_[at], &on_start_slope_[at], &on_end_slope_[at], &on_bow_[at], &values[at]);
+  };
+  fill(curve, x_of, x_);
+  fill(curve, y_of, y_);
+  fill(curve, z_of, z_);
+  fill(moving, x_of, vx_);
+  fill(moving, y_of, vy_);
+  fill(moving, z_of, vz_);
+  for (auto* values : {&fx_, &fy_, &fz_})
+    std::fill_n(values->begin() + static_cast<std::ptrdiff_t>(at), block.count, 0.0);
+  block.step = step_;
 }
 
 void PlacedPoints::give_forces(const Centreline& line, model::NodalLoads& loads) const {
-  for (const Block& block : blocks_) {
+  for (const std::size_t b : in_use_) {
+    const Block& block = blocks_[b];
     Vector3 all{}, on_end{}, turns_start{}, turns_end{}, on_bow{};
     for (std::size_t p = block.first; p < block.first + block.count; ++p) {
       const Vector3 force{fx_[p], fy_[p], fz_[p]};

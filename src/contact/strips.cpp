@@ -96,7 +96,7 @@ ContactStep add_strip_forces(const YarnElements& elements, const Centreline& lin
   ContactStep done;
   if (contacts.strips.empty()) return done;
   PlacedPoints& points = contacts.points;
-  points.update(line, state);
+  points.begin_step();
   std::vector<PointForce> pressed;
   for (Strip& strip : contacts.strips) {
     const auto a = static_cast<std::size_t>(strip.at.element);
@@ -105,6 +105,10 @@ ContactStep add_strip_forces(const YarnElements& elements, const Centreline& lin
     if (moved < strip.wake) continue;
     const double radii = elements.radius[a] + elements.radius[b];
     pressed.clear();
+    points.bring(strip.block, line, state);
+    for (std::size_t s = strip.first_span; s < strip.first_span + strip.n_spans; ++s) {
+      points.bring(contacts.spans[s].block, line, state);
+    }
     const StripSum sum = sum_cells(contacts, strip, radii, pressed);
     strip.other = points.place(sum.nearest);
     if (sum.weight <= 0) {

@@ -33,7 +33,9 @@ TEST(PlacedPoints, GivenMovingYarns_ThenPointsHavePositionsAndVelocitiesOfTheirP
   PlacedPoints points;
   EXPECT_EQ(points.add(1, {0.0, 0.3, 1.0}), 0U);
   EXPECT_EQ(points.add(5, {0.7}), 3U);
-  points.update(scene.line, scene.state);
+  points.begin_step();
+  points.bring(0, scene.line, scene.state);
+  points.bring(1, scene.line, scene.state);
   ASSERT_EQ(points.size(), 4U);
   for (std::size_t p = 0; p < points.size(); ++p) {
     const YarnPlace place = points.place(p);
@@ -49,7 +51,9 @@ TEST(PlacedPoints, GivenForcesOnThem_ThenTheNodesGetWhatForcesAtThePlacesGive) {
   PlacedPoints points;
   points.add(1, {0.1, 0.5, 0.9});
   points.add(5, {0.2, 0.4});
-  points.update(scene.line, scene.state);
+  points.begin_step();
+  points.bring(0, scene.line, scene.state);
+  points.bring(1, scene.line, scene.state);
   model::NodalLoads expected(8);
   for (std::size_t p = 0; p < points.size(); ++p) {
     const Vector3 force = noise(random, 1);
