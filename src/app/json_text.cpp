@@ -5,6 +5,7 @@
 
 #include "app/structure_texts.h"
 #include "model/case_file.h"
+#include "solve/mass_scaling.h"
 
 namespace knitmech::app {
 namespace {
@@ -74,34 +75,36 @@ std::string error_json(const std::runtime_error& error, ExitCode code) {
 
 std::string check_json(const LoadedCase& loaded, const model::FabricFacts& facts, double mass_scaling) {
   const model::Model& model = loaded.model;
-  return text_of({{"title", model.title},
-                  {"structure", structure_json(loaded, facts)},
-                  {"elements", facts.n_elements},
-                  {"nodes", facts.n_nodes},
-                  {"degrees_of_freedom", facts.n_degrees_of_freedom},
-                  {"loop_length_mm", facts.stitch_length},
-                  {"yarn_length_mm", facts.yarn_length},
-                  {"leg_angle_head_rad", facts.erc.theta1},
-                  {"leg_angle_foot_rad", facts.erc.theta2},
-                  {"out_of_plane_per_mm", facts.out_of_plane},
-                  {"least_out_of_plane_per_mm", facts.least_out_of_plane},
-                  {"least_gap_on_curve", gap_json(facts.closest_on_curve)},
-                  {"least_gap_on_elements", gap_json(facts.closest_on_elements)},
-                  {"width_mm", facts.width},
-                  {"height_mm", facts.height},
-                  {"thickness_mm", facts.thickness},
-                  {"mass_per_area_g_per_m2", facts.mass_per_area},
-                  {"axial_stiffness_N", facts.section.axial_stiffness},
-                  {"bending_stiffness_N_mm2", facts.section.bending_stiffness},
-                  {"torsional_stiffness_N_mm2", facts.section.torsional_stiffness},
-                  {"filaments", filaments_json(loaded.input.yarn)},
-                  {"edge_yarn", edge_yarn_json(loaded.input, facts)},
-                  {"friction", model.friction},
-                  {"contact_stiffness_N_per_mm", model.contact_stiffness},
-                  {"gauge_length_mm", model.test.gauge_length},
-                  {"strain", model.test.strain},
-                  {"duration_s", model.test.time_at(model.test.strain)},
-                  {"mass_scaling", mass_scaling}});
+  return text_of(
+      {{"title", model.title},
+       {"structure", structure_json(loaded, facts)},
+       {"elements", facts.n_elements},
+       {"nodes", facts.n_nodes},
+       {"degrees_of_freedom", facts.n_degrees_of_freedom},
+       {"loop_length_mm", facts.stitch_length},
+       {"yarn_length_mm", facts.yarn_length},
+       {"leg_angle_head_rad", facts.erc.theta1},
+       {"leg_angle_foot_rad", facts.erc.theta2},
+       {"out_of_plane_per_mm", facts.out_of_plane},
+       {"least_out_of_plane_per_mm", facts.least_out_of_plane},
+       {"least_gap_on_curve", gap_json(facts.closest_on_curve)},
+       {"least_gap_on_elements", gap_json(facts.closest_on_elements)},
+       {"width_mm", facts.width},
+       {"height_mm", facts.height},
+       {"thickness_mm", facts.thickness},
+       {"mass_per_area_g_per_m2", facts.mass_per_area},
+       {"axial_stiffness_N", facts.section.axial_stiffness},
+       {"bending_stiffness_N_mm2", facts.section.bending_stiffness},
+       {"torsional_stiffness_N_mm2", facts.section.torsional_stiffness},
+       {"filaments", filaments_json(loaded.input.yarn)},
+       {"edge_yarn", edge_yarn_json(loaded.input, facts)},
+       {"friction", model.friction},
+       {"contact_stiffness_N_per_mm", model.contact_stiffness},
+       {"gauge_length_mm", model.test.gauge_length},
+       {"strain", model.test.strain},
+       {"duration_s",
+        solve::adapts_pace(loaded.input, mass_scaling) ? Json(nullptr) : Json(model.test.time_at(model.test.strain))},
+       {"mass_scaling", mass_scaling}});
 }
 
 std::string run_json(const std::string& summary, const std::filesystem::path& folder) {

@@ -13,6 +13,8 @@ namespace {
 
 constexpr std::chrono::milliseconds kRedrawInterval{100};
 constexpr int kBarWidth = 24;
+/// Share of the test between two marks, by which the time left is estimated.
+constexpr double kMarkInterval = 0.05;
 
 std::string bar(double share) {
   const auto full = static_cast<std::size_t>(share * kBarWidth);
@@ -22,15 +24,18 @@ std::string bar(double share) {
 }  // namespace
 
 Progress::Progress(const model::TensileTest& test, bool shown)
-    : duration_(test.time_at(test.strain)),
+    : strain_(test.strain),
       shown_(shown),
       on_terminal_(isatty(STDOUT_FILENO) == 1),
       start_(Clock::now()),
-      drawn_(start_) {}
+      drawn_(start_),
+      mark_{0, start_},
+      earlier_mark_{0, start_} {}
 
 void Progress::update(const model::HistoryRow& row) {
   if (!shown_) return;
-  const double share = std::clamp(row.time / duration_, 0.0, 1.0);
+  const double share = std::clamp(row.strain / strain_, 0.0, 1.0);
+  set_mark(share);
   if (on_terminal_) {
     if (Clock::now() - drawn_ < kRedrawInterval) return;
     drawn_ = Clock::now();
@@ -51,10 +56,19 @@ void Progress::finish() {
   std::fflush(stdout);
 }
 
+void Progress::set_mark(double share) {
+  if (share < mark_.share + kMarkInterval) return;
+  earlier_mark_ = mark_;
+  mark_ = {share, Clock::now()};
+}
+
+double Progress::time_left(double share) const {
+  const std::chrono::duration<double> elapsed = Clock::now() - earlier_mark_.time;
+  return elapsed.count() * (1 - share) / (share - earlier_mark_.share);
+}
+
 std::string Progress::line(const model::HistoryRow& row, double share) const {
-  const std::chrono::duration<double> elapsed = Clock::now() - start_;
-  const std::string left =
-      share > 0 ? fmt::format("  time left {}", duration_text(elapsed.count() * (1 - share) / share)) : "";
+  const std::string left = share > 0 ? fmt::format("  time left {}", duration_text(time_left(share))) : "";
   return fmt::format(" {:3.0f} %  strain {}  force {}{}", 100 * share, percent_text(row.strain),
                      force_text(row.force_top), left);
 }

@@ -22,15 +22,24 @@ class Progress {
  private:
   using Clock = std::chrono::steady_clock;
 
+  void set_mark(double share);
+  /// [s], as if the run went on as it did of late; the pace of a test may change.
+  [[nodiscard]] double time_left(double share) const;
   [[nodiscard]] std::string line(const model::HistoryRow& row, double share) const;
   void redraw(const std::string& text);
 
-  double duration_;  ///< [s], of the test
+  double strain_;  ///< [-], at the end of the test
   bool shown_;
   bool on_terminal_;
   Clock::time_point start_;
   Clock::time_point drawn_;
   std::size_t width_drawn_ = 0;
+  /// Where the run was: at the last mark, and at the one before.
+  struct Mark {
+    double share = 0;
+    Clock::time_point time;
+  };
+  Mark mark_, earlier_mark_;
   int tenths_shown_ = 0;
 };
 

@@ -12,6 +12,7 @@
 #include "base/quantity.h"
 #include "results/ravelling.h"
 #include "results/yarn_breaks.h"
+#include "solve/mass_scaling.h"
 
 namespace knitmech::app {
 namespace {
@@ -26,9 +27,11 @@ std::string fabric_text(const model::Case::Fabric& fabric) {
                      fabric.elements_per_erc);
 }
 
-std::string test_text(const model::TensileTest& test) {
-  return fmt::format("wale-wise tension to {} of {:.4g} mm at {:.4g} mm/s, {:.4g} s", percent_text(test.strain),
-                     test.gauge_length, test.speed, test.time_at(test.strain));
+std::string test_text(const model::TensileTest& test, bool adapts_pace) {
+  const std::string to =
+      fmt::format("wale-wise tension to {} of {:.4g} mm", percent_text(test.strain), test.gauge_length);
+  if (adapts_pace) return fmt::format("{} at a speed that is adapted, in measures of {:.4g} mm/s", to, test.speed);
+  return fmt::format("{} at {:.4g} mm/s, {:.4g} s", to, test.speed, test.time_at(test.strain));
 }
 
 std::string mass_scaling_text(const model::Case& input, double mass_scaling) {
@@ -140,7 +143,7 @@ std::string check_text(const LoadedCase& loaded, const model::FabricFacts& facts
                           facts.mass_per_area));
   for (const auto& [name, value] : yarn_lines(loaded, facts)) add(name, value);
   add("contact", contact_text(loaded, facts));
-  add("test", test_text(loaded.model.test));
+  add("test", test_text(loaded.model.test, solve::adapts_pace(loaded.input, mass_scaling)));
   add("mass scaling", mass_scaling_text(loaded.input, mass_scaling));
   return text;
 }
@@ -157,7 +160,7 @@ std::string run_head_text(const LoadedCase& loaded, const model::FabricFacts& fa
     add("edge yarn",
         fmt::format("{}, friction {:.3g}", stiffness_text(*facts.edge_section), edge_friction(loaded.input)));
   }
-  add("test", test_text(loaded.model.test));
+  add("test", test_text(loaded.model.test, solve::adapts_pace(loaded.input, mass_scaling)));
   add("mass scaling", mass_scaling_text(loaded.input, mass_scaling));
   const bool replaces = std::filesystem::exists(folder / "summary.json");
   add("results", folder.string() + (replaces ? " (replaces the run that is there)" : ""));

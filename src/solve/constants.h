@@ -45,6 +45,53 @@ inline constexpr double kEnergyNoise = 1e-3;
 /// steps falls in proportion.
 inline constexpr double kQuasiStaticSpeed = 0.018;
 
+/// Steps between two looks of the pace at the energies of the fabric [-]. Fewer: it feels a snap sooner, and looks cost
+/// more.
+inline constexpr long kPaceInterval = 100;
+
+/// Pace, as a multiple of the speed that kQuasiStaticSpeed stands for, while the fabric gives nearly without force and
+/// where it snaps [-]. Measured on the fabric of the main example on chords: with 1, 2 and 4 the force between 14 and
+/// 20 % strain is 0.5, 2 and 9 % larger than in a test with an eighth of the mass. The steps of that part fall in
+/// proportion.
+inline constexpr double kCalmPace = 2;
+/// The slowest pace [-], where kinetic energy has to fall.
+inline constexpr double kSlowestPace = 0.6;
+
+/// Strain energy, as a share of EI / l of every half stitch, from which on the grip may move faster than at kCalmPace
+/// [-]. It is reached where the loops have closed and the fabric draws in: of all places the one where inertia across
+/// the pull shows most in the force. Smaller: faster, and less exact there.
+inline constexpr double kTautEnergy = 0.03;
+
+/// Kinetic energy of the motion relative to an even stretch over strain energy that the pace tends to [-]. Larger:
+/// faster, and the fabric comes to rest less between two snaps.
+inline constexpr double kStrayGoal = 0.007;
+
+/// Kinetic over strain energy that the pace tends to where results are judged [-]; the limit there is 0.05 (see
+/// results/constants.h), of which a snap needs its part. Smaller: slower just behind the toe.
+inline constexpr double kKineticGoal = 0.03;
+/// Share of the final strain up to which a test is surely in its toe, which is not judged, and from which on
+/// kKineticGoal holds in full [-]. Toes of jersey end at 0.6 to 0.7 of the final strain.
+inline constexpr double kUnjudgedShare = 0.5;
+inline constexpr double kJudgedShare = 0.6;
+
+/// Strains over which the pace averages energies [-]: to speed up and to slow down ...
+inline constexpr double kPaceMemory = 2e-3;
+/// ... and to notice a snap.
+inline constexpr double kPaceShortMemory = 5e-4;
+
+/// Strains in which the grip may gain or lose as much speed as it has [-]. Smaller: the pace follows the fabric more
+/// closely, and disturbs it more.
+inline constexpr double kSpeedingUpStrain = 0.02;
+inline constexpr double kBrakingStrain = 2e-3;
+/// Inertia of the fabric under the acceleration of the grip, as a share of the force that it bears [-]. The even
+/// stretch takes most of it (see EvenStretch).
+inline constexpr double kSpeedingUpForce = 0.04;
+inline constexpr double kBrakingForce = 0.1;
+/// However small the force is, the grip may change its speed by kCalmPace within this strain [-]; at the start, where
+/// nothing bears yet, within the second.
+inline constexpr double kGentleStrain = 0.02;
+inline constexpr double kStartStrain = 2e-3;
+
 /// Steps between two questions to the caller whether to go on [-].
 inline constexpr long kAskInterval = 50;
 

@@ -37,6 +37,7 @@ ExplicitSolver::ExplicitSolver(const model::Model& model, const ExplicitSettings
       contact_(model),
       ties_(model),
       grips_(model),
+      pull_(model, inertia_, settings.adapts_pace),
       state_(state_at_rest(model)),
       loads_(model.nodes.size()),
       smallest_radius_(smallest_radius(model)),
@@ -91,15 +92,18 @@ void ExplicitSolver::step() {
   if (steps_ == 0) step_.before = step_.after;
 
   evaluate();
+  if (pull_.has_to_look(steps_)) pull_.look(internal_energy(), kinetic_energy(), state_);
   const bool damped = settings_.mass_damping > 0;
   const model::VectorArray velocity_before = damped ? state_.velocity : model::VectorArray();
   const model::VectorArray angular_before = damped ? state_.angular_velocity : model::VectorArray();
+  const double speed = pull_.advance(step_, state_, loads_);
   ties_.apply(contact_.centreline(), inertia_, step_, settings_.mass_damping, state_, loads_);
-  grips_.apply(inertia_, step_, settings_.mass_damping, state_, loads_);
+  grips_.apply(inertia_, step_, settings_.mass_damping, state_, speed, loads_);
   const double h = step_.mean();
   impulse_top_ += h * grips_.force_top();
   impulse_bottom_ += h * grips_.force_bottom();
   impulse_time_ += h;
+  pull_.add_forces(grips_.force_top(), grips_.force_bottom(), h);
   integrate(inertia_, loads_, step_, settings_.mass_damping, state_);
   for (std::size_t i = 0; i < velocity_before.size(); ++i) {
     const Vector3 v = 0.5 * (velocity_before.at(i) + state_.velocity.at(i));

@@ -16,6 +16,7 @@
 #include "solve/broken_yarns.h"
 #include "solve/grips.h"
 #include "solve/integrate.h"
+#include "solve/pull.h"
 #include "solve/ties.h"
 #include "solve/yarn_breaks.h"
 
@@ -27,6 +28,7 @@ struct ExplicitSettings {
   double bulk_viscosity = 0;  ///< [-]
   double mass_damping = 0;    ///< [1/s]
   double step_factor = 1;     ///< [-]
+  bool adapts_pace = false;   ///< of the driven grip, see Pace
 };
 
 /// Steps a model through time by central differences (leapfrog), with beams, contact and grips.
@@ -43,6 +45,9 @@ class ExplicitSolver {
   void evaluate();
 
   [[nodiscard]] double time() const { return state_.time; }
+  /// Of the driven grip [mm].
+  [[nodiscard]] double displacement() const { return pull_.displacement(state_.time); }
+  [[nodiscard]] double strain() const { return displacement() / model_.test.gauge_length; }
   [[nodiscard]] long steps() const { return steps_; }
   /// Time step in use [s].
   [[nodiscard]] double step_length() const { return step_in_use_; }
@@ -92,6 +97,7 @@ class ExplicitSolver {
   contact::YarnContact contact_;
   Ties ties_;
   Grips grips_;
+  Pull pull_;
   model::State state_;
   model::NodalLoads loads_;
   StepLengths step_;

@@ -16,8 +16,9 @@ class Grips {
   explicit Grips(const model::Model& model);
 
   /// Replaces the loads on the held and driven nodes by those that give them the prescribed motion in the coming step.
+  /// \param speed of the driven grip over the step after [mm/s]
   void apply(const beam::NodalInertia& inertia, StepLengths step, double mass_damping, const model::State& state,
-             model::NodalLoads& loads);
+             double speed, model::NodalLoads& loads);
 
   /// Sets the loads in all held and driven directions to zero.
   void clear_loads(model::NodalLoads& loads) const;

@@ -14,4 +14,8 @@ double automatic_mass_scaling(const model::Model& model) {
   return std::max(1.0, std::pow(kQuasiStaticSpeed * bending_speed / model.test.speed, 2));
 }
 
+bool adapts_pace(const model::Case& input, double mass_scaling) {
+  return !input.solver.mass_scaling && mass_scaling > 1;
+}
+
 }  // namespace knitmech::solve

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "model/case.h"
 #include "model/model.h"
 
 namespace knitmech::solve {
@@ -16,5 +17,9 @@ namespace knitmech::solve {
 /// stitches does not enter: with more of them the test lasts longer in proportion. Whether the result is quasi-static
 /// is judged after the run, from its energies and forces, whatever the scaling was.
 [[nodiscard]] double automatic_mass_scaling(const model::Model& model);
+
+/// Whether the speed of the grip is adapted while a case runs (see Pace): if the program chooses the mass, and unless
+/// the test is so fast that masses are not scaled, which is then meant.
+[[nodiscard]] bool adapts_pace(const model::Case& input, double mass_scaling);
 
 }  // namespace knitmech::solve

@@ -15,27 +15,27 @@ namespace knitmech::solve {
 
 namespace {
 
-/// A time at which something is to be reported.
+/// A strain at which something is to be reported.
 struct Event {
-  double time;
+  double strain;
   bool with_frame;
 };
 
 std::vector<Event> schedule(const model::TensileTest& test, const SimulationSettings& settings) {
   std::vector<Event> events;
   for (int i = 1; i <= settings.history_points; ++i) {
-    events.push_back({test.time_at(test.strain * i / settings.history_points), i == settings.history_points});
+    events.push_back({test.strain * i / settings.history_points, i == settings.history_points});
   }
   for (const double strain : settings.frames_at) {
-    if (strain < test.strain) events.push_back({test.time_at(strain), true});
+    if (strain < test.strain) events.push_back({strain, true});
   }
-  std::sort(events.begin(), events.end(), [](Event a, Event b) { return a.time < b.time; });
+  std::sort(events.begin(), events.end(), [](Event a, Event b) { return a.strain < b.strain; });
 
-  // Times that agree up to rounding are one event.
+  // Strains that agree up to rounding are one event.
   std::vector<Event> merged;
-  const double same = 1e-9 * test.time_at(test.strain);
+  const double same = 1e-9 * test.strain;
   for (const Event event : events) {
-    if (!merged.empty() && event.time - merged.back().time < same) {
+    if (!merged.empty() && event.strain - merged.back().strain < same) {
       merged.back().with_frame = merged.back().with_frame || event.with_frame;
     } else {
       merged.push_back(event);
@@ -53,9 +53,8 @@ std::optional<Failure> failure_in_step(const model::Model& model, const Explicit
   const bool collapsed = solver.step_length() < kStepCollapse * solver.first_step();
   if (solver.is_finite() && !solver.lost_crossing() && !collapsed) return std::nullopt;
 
-  const double strain = model.test.displacement(solver.time()) / model.test.gauge_length;
   const std::string when =
-      fmt::format("at {:.2f} % strain ({:.6g} s, step {})", 100 * strain, solver.time(), solver.steps());
+      fmt::format("at {:.2f} % strain ({:.6g} s, step {})", 100 * solver.strain(), solver.time(), solver.steps());
   if (!solver.is_finite()) {
     return Failure{fmt::format("A velocity stopped being a number {}.", when),
                    "Try a smaller solver.step_factor, or less solver.mass_scaling."};
@@ -94,7 +93,8 @@ class Run {
         callbacks_(callbacks),
         events_(schedule(model.test, settings)),
         mass_scaling_(settings.mass_scaling ? *settings.mass_scaling : automatic_mass_scaling(model)),
-        solver_(model, {mass_scaling_, settings.bulk_viscosity, settings.mass_damping, settings.step_factor}) {}
+        solver_(model, {mass_scaling_, settings.bulk_viscosity, settings.mass_damping, settings.step_factor,
+                        settings.adapts_pace && mass_scaling_ > 1}) {}
 
   model::RunOutcome run() {
     const auto start = std::chrono::steady_clock::now();
@@ -102,7 +102,7 @@ class Run {
     outcome_.smallest_step = solver_.first_step();
     report(true);
     for (const Event& event : events_) {
-      if (!advance_to(event.time)) {
+      if (!advance_to(event.strain)) {
         report(true);
         break;
       }
@@ -139,7 +139,7 @@ class Run {
 
   void note_ravelling() {
     for (model::Ravelling& event : solver_.take_ravelled()) {
-      event.strain = model_.test.displacement(solver_.time()) / model_.test.gauge_length;
+      event.strain = solver_.strain();
       outcome_.ravelled.push_back(event);
     }
   }
@@ -158,10 +158,10 @@ class Run {
     outcome_.advice = failure.advice;
   }
 
-  /// Steps to the first instant that is not before a time; false if the run has to end before. Steps are not cut to hit
-  /// the time: see ExplicitSolver::look_at_stable_step().
-  bool advance_to(double time) {
-    while (solver_.time() < time) {
+  /// Steps to the first instant that is not before a strain; false if the run has to end before. Steps are not cut to
+  /// hit the strain: see ExplicitSolver::look_at_stable_step().
+  bool advance_to(double strain) {
+    while (solver_.strain() < strain) {
       solver_.step();
       note_ravelling();
       outcome_.smallest_step = std::min(outcome_.smallest_step, solver_.step_length());
@@ -191,8 +191,8 @@ class Run {
 }  // namespace
 
 SimulationSettings settings_from(const model::Case& input) {
-  return {input.solver.mass_scaling, input.solver.bulk_viscosity, input.solver.mass_damping,
-          input.solver.step_factor,  input.output.frames_at,      input.output.history_points};
+  return {input.solver.mass_scaling, input.solver.bulk_viscosity, input.solver.mass_damping, input.solver.step_factor,
+          input.output.frames_at,    input.output.history_points, !input.solver.mass_scaling};
 }
 
 model::RunOutcome simulate(const model::Model& model, const SimulationSettings& settings,

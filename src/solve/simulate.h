@@ -19,6 +19,7 @@ struct SimulationSettings {
   double step_factor = 0.9;            ///< share of the stable step that is used [-]
   std::vector<double> frames_at;  ///< strains [-] at which a frame is reported, ascending; start and end always are
   int history_points = 1000;      ///< history rows over the test, besides the one at the start
+  bool adapts_pace = false;       ///< of the driven grip, see Pace; never where masses are not scaled
 };
 
 [[nodiscard]] SimulationSettings settings_from(const model::Case& input);

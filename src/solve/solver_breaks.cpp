@@ -23,7 +23,7 @@ model::YarnBreak ExplicitSolver::break_of(std::size_t element) const {
   const Vector3 end = state_.position.at(element + 1);
   const Vector3 middle = 0.5 * (start + end);
   model::YarnBreak event;
-  event.strain = model_.test.displacement(state_.time) / model_.test.gauge_length;
+  event.strain = strain();
   event.element = static_cast<int>(element);
   event.axial_strain = length(end - start) * elements_.inverse_length[element] - 1;
   event.axial_force = elements_.axial[element] * event.axial_strain;

@@ -36,19 +36,19 @@ model::HistoryRow ExplicitSolver::history() {
   evaluate();
   model::HistoryRow row;
   row.time = state_.time;
-  row.displacement = model_.test.displacement(state_.time);
-  row.strain = row.displacement / model_.test.gauge_length;
+  row.displacement = displacement();
+  row.strain = strain();
   if (impulse_time_ > 0) {
     row.force_top = impulse_top_ / impulse_time_;
     row.force_bottom = impulse_bottom_ / impulse_time_;
   }
   impulse_top_ = impulse_bottom_ = impulse_time_ = 0;
-  row.external_work = grips_.work();
+  row.external_work = grips_.work() + pull_.work();
   row.internal_energy = internal_energy();
   row.kinetic_energy = kinetic_energy();
   row.contact_energy = contact_.energy();
   row.friction_loss = earlier_.friction_loss + contact_.friction_loss();
-  row.damping_loss = beam::damping_loss(work_) + mass_damping_loss_;
+  row.damping_loss = beam::damping_loss(work_) + mass_damping_loss_ + pull_.damping_loss();
   row.break_loss = break_loss_;
   row.width = width();
   contact_.check_crossings();

@@ -35,7 +35,8 @@ struct Bench {
     loads.force.set(0, on_held);
     loads.force.set(2, on_driven);
     loads.moment.set(2, {1, 2, 3});
-    grips.apply(inertia, {h, h}, 0.0, state, loads);
+    const double speed = (model.test.displacement(state.time + h) - model.test.displacement(state.time)) / h;
+    grips.apply(inertia, {h, h}, 0.0, state, speed, loads);
     solve::integrate(inertia, loads, {h, h}, 0.0, state);
   }
 };

@@ -30,5 +30,13 @@ TEST(MassScaling, GivenAnImpact_ThenMassesAreNeverScaledDown) {
   EXPECT_EQ(solve::automatic_mass_scaling(yarn_with(0.017, 1.3e-11, 1e6)), 1.0);
 }
 
+TEST(MassScaling, GivenAMassScalingInTheCaseOrAnImpact_ThenTheSpeedIsNotAdapted) {
+  model::Case input;
+  EXPECT_TRUE(solve::adapts_pace(input, 233));
+  EXPECT_FALSE(solve::adapts_pace(input, 1));
+  input.solver.mass_scaling = 233;
+  EXPECT_FALSE(solve::adapts_pace(input, 233));
+}
+
 }  // namespace
 }  // namespace knitmech

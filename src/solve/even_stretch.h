@@ -1,0 +1,56 @@
+#pragma once
+
+#include <vector>
+
+#include "beam/nodal_inertia.h"
+#include "model/model.h"
+#include "model/state.h"
+
+namespace knitmech::solve {
+
+/// The even stretch of a fabric between its grips: every node moves along y with the share
+///
+///     w = (y - lowest y) / (highest y - lowest y)
+///
+/// of the driven grip's speed that its place in the undeformed fabric has.
+///
+/// A grip that gains speed would have to drag the rest of the fabric along through the yarns, as a wave. Instead every
+/// node is given a force m w a, a the grip's acceleration, so that an evenly stretched fabric changes its speed without
+/// any force in the yarns. The work of these forces is work of the test like that of the grip; braking takes it back.
+///
+/// A grip that brakes slows all motion down, not only the even one: with u the motion relative to the even stretch,
+/// every node is given m u a / v besides, v the grip's speed, so that what a snap has set going calms down in
+/// proportion. The work of these forces on u is a damping loss, that on the even stretch counts as above.
+class EvenStretch {
+ public:
+  EvenStretch(const model::Model& model, const beam::NodalInertia& inertia);
+
+  /// Adds the forces of one step to loads.
+  /// \param speed [mm/s] of the driven grip before, acceleration [mm/s^2], h [s], over which it acts
+  void apply(double speed, double acceleration, double h, const model::State& state, model::NodalLoads& loads);
+
+  /// Kinetic energy of the motion relative to an even stretch at a speed [mJ]: with P = sum m w v_y and C = sum m w^2
+  /// it is kinetic - speed P + speed^2 C / 2.
+  /// \param kinetic of the whole motion [mJ], speed of the driven grip [mm/s]
+  [[nodiscard]] double stray_energy(double kinetic, double speed, const model::State& state) const;
+
+  /// Of the even stretch since the start [mJ].
+  [[nodiscard]] double work() const { return work_; }
+  /// Energy of other motion that braking took since the start [mJ].
+  [[nodiscard]] double damping_loss() const { return damping_loss_; }
+  /// Of the whole fabric [t].
+  [[nodiscard]] double mass() const { return mass_; }
+
+ private:
+  void calm(double speed, double rate, double h, const model::State& state, model::NodalLoads& loads);
+  [[nodiscard]] double momentum(const model::State& state) const;
+
+  std::vector<double> mass_of_;      ///< m per node [t]
+  std::vector<double> shared_mass_;  ///< m w per node [t]
+  std::vector<char> gripped_;        ///< per node
+  double mass_ = 0;
+  double stretched_mass_ = 0;  ///< C [t]
+  double work_ = 0, damping_loss_ = 0;
+};
+
+}  // namespace knitmech::solve
