@@ -50,12 +50,15 @@ inline constexpr double kStripMargin = 0.01;
 /// differ by less than this factor, it stays what it was.
 inline constexpr double kSidesAlike = 2.0;
 
-/// How near yarns are followed before they touch [sums of the radii]. Must be more than twice the motion between looks,
-/// since both yarns move.
+/// How near yarns are followed before they touch [sums of the radii]. Must be more than kLookAtPairAgain and kLookAgain
+/// together, since both yarns may move as far between two looks.
 inline constexpr double kFollowed = 0.08;
 
-/// Motion after which pairs that are awake are looked at anew [larger radius].
+/// Motion of any yarn after which pairs that are awake are looked at anew [largest radius].
 inline constexpr double kLookAgain = 0.03;
+
+/// Motion of both yarns of a pair that touches, until it is awake again [sums of the radii].
+inline constexpr double kLookAtPairAgain = 0.04;
 
 /// Largest turn of a piece of the smooth centreline in the stress-free yarn [rad]. Elements that turn by more are cut
 /// for the contact: two pieces that hardly bend come closest in one place. Smaller: more pieces, more pairs to look at.

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <compare>
+#include <cstdint>
 #include <vector>
 
 #include "contact/contact_points.h"
@@ -55,10 +57,27 @@ struct Strip {
   ContactState now = {};  ///< normal and slip are those from the yarn of the strip to the other
 };
 
-/// Which of the two yarns of a long overlap is cut into strips, for a pair of pieces.
-struct PairSide {
+/// A piece of a yarn, cut into n equal parts.
+struct CutPiece {
+  std::int32_t piece = 0;
+  std::int32_t n = 1;
+  auto operator<=>(const CutPiece&) const = default;
+};
+
+/// A strip, and cells of one piece, one after the other, that it may touch.
+struct Touch {
+  CutPiece strips{};
+  std::int32_t strip = 0;  ///< which of them
+  CutPiece cells{};
+  std::int32_t first = 0, last = 0;  ///< which of them
+  auto operator<=>(const Touch&) const = default;
+};
+
+/// The touches of a pair of pieces, and which of the two is cut into strips.
+struct PairTouches {
   ElementPair pair{};
   bool on_second = false;
+  std::size_t first_touch = 0, n_touches = 0;  ///< in FollowedContacts::touches
 };
 
 /// All places that are followed.
@@ -67,7 +86,8 @@ struct FollowedContacts {
   std::vector<Strip> strips;
   std::vector<CellSpan> spans;
   PlacedPoints points;
-  std::vector<PairSide> sides;  ///< of the pairs that have strips, ascending
+  std::vector<PairTouches> pairs;  ///< that may touch, ascending
+  std::vector<Touch> touches;      ///< whether crossings count them or not
 };
 
 /// The contacts that carry a force.

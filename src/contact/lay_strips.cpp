@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <compare>
+#include <limits>
 #include <numbers>
 #include <unordered_map>
 #include <utility>
@@ -19,28 +19,6 @@ constexpr double kNearby = 1.0;
 
 /// Rise of the squared distance along a yarn, see rise_along(), that is small beside that of yarns that cross [-].
 constexpr double kEvenRise = 0.1;
-
-/// A piece of a yarn, cut into n equal parts.
-struct CutPiece {
-  std::int32_t piece;
-  int n;
-  auto operator<=>(const CutPiece&) const = default;
-};
-
-/// A part of a cut piece.
-struct Part {
-  CutPiece of;
-  int at;
-  auto operator<=>(const Part&) const = default;
-};
-
-/// A strip and cells of one piece, one after the other, that may touch.
-struct Touch {
-  Part strip;
-  CutPiece of;
-  int first, last;
-  auto operator<=>(const Touch&) const = default;
-};
 
 /// Points of a cut piece, as far as its parts are needed.
 struct PointRange {
@@ -100,49 +78,32 @@ KNITMECH_VECTORISE void squared_distances(Vector3 from, std::size_t n, const dou
   }
 }
 
-class Layout {
- public:
-  Layout(const YarnElements& elements, const ContactElements& pieces, const Centreline& line,
-         const CountedElsewhere& is_counted)
-      : elements_(elements), pieces_(pieces), line_(line), is_counted_(is_counted) {}
+bool is_less(ElementPair a, ElementPair b) {
+  return a.first < b.first || (a.first == b.first && a.second < b.second);
+}
 
-  /// Finds the strips and cells of a pair of pieces that may touch. \param was_on_second kept where both are alike
-  void add(ElementPair pair, bool was_on_second, std::vector<PairSide>& sides) {
+/// Finds the strips and cells of pairs of pieces that may touch.
+class TouchFinder {
+ public:
+  TouchFinder(const YarnElements& elements, const ContactElements& pieces, const Centreline& line)
+      : elements_(elements), pieces_(pieces), line_(line) {}
+
+  /// \param was_on_second kept where both yarns are alike \param touches the pair's are appended
+  PairTouches find(ElementPair pair, bool was_on_second, std::vector<Touch>& touches) {
+    PairTouches found{pair, was_on_second, touches.size(), 0};
     const double radii = radius(pair.first) + radius(pair.second);
     middles(cut(pair.first, kStripLength * radii), first_points_);
     middles(cut(pair.second, kStripLength * radii), second_points_);
     const double reach = radii * (1 + kFollowed) + 0.5 * kStripLength * radii;
-    if (find_profiles() > reach * reach) return;
-    const bool on_second = cuts_second(pair, was_on_second);
-    const std::size_t before = touches_.size();
-    if (on_second) {
-      add_touches(pair.second, pair.first, true, second_points_, second_profile_);
+    if (find_profiles() > reach * reach) return found;
+    found.on_second = cuts_second(pair, was_on_second);
+    if (found.on_second) {
+      add_touches(pair.second, pair.first, second_points_, second_profile_, touches);
     } else {
-      add_touches(pair.first, pair.second, false, first_points_, first_profile_);
+      add_touches(pair.first, pair.second, first_points_, first_profile_, touches);
     }
-    if (touches_.size() > before) sides.push_back({pair, on_second});
-  }
-
-  /// Makes the strips out of what was found.
-  void lay(FollowedContacts& contacts) {
-    std::sort(touches_.begin(), touches_.end());
-    contacts.strips.clear();
-    contacts.spans.clear();
-    contacts.points.clear();
-    NeededPoints strips;
-    NeededPoints cells;
-    for (const Touch& touch : touches_) {
-      strips.need(touch.strip.of, touch.strip.at, touch.strip.at);
-      cells.need(touch.of, touch.first, touch.last);
-    }
-    place_middles(strips.ranges(), contacts.points);
-    place_cells(cells.ranges(), contacts.points);
-    for (std::size_t i = 0; i < touches_.size();) {
-      std::size_t end = i + 1;
-      while (end < touches_.size() && follows(touches_[end - 1], touches_[end])) ++end;
-      add_strip(i, end, strips, cells, contacts);
-      i = end;
-    }
+    found.n_touches = touches.size() - found.first_touch;
+    return found;
   }
 
  private:
@@ -196,8 +157,8 @@ class Layout {
     return way == 0 ? 0 : (*most - *least) / (way * way);
   }
 
-  void add_touches(std::int32_t piece, std::int32_t other, bool on_second, const PointList& strip_points,
-                   const std::vector<double>& profile) {
+  void add_touches(std::int32_t piece, std::int32_t other, const PointList& strip_points,
+                   const std::vector<double>& profile, std::vector<Touch>& touches) {
     const double radii = radius(piece) + radius(other);
     const CutPiece strips{piece, static_cast<int>(strip_points.size())};
     const CutPiece cells = cut(other, kCellLength * radii);
@@ -215,16 +176,16 @@ class Layout {
       squared_distances(strip_points.at(static_cast<std::size_t>(i)), cell_points_.size(), cell_points_.x.data(),
                         cell_points_.y.data(), cell_points_.z.data(), squared_.data(), least_.data());
       const YarnPlace at = place(piece, (i + 0.5) / strips.n);
-      const std::size_t before = touches_.size();
+      const std::size_t before = touches.size();
       for (int c = 0; c < cells.n; ++c) {
         const auto p = static_cast<std::size_t>(2 * c);
         if (std::min({squared_[p], squared_[p + 1], squared_[p + 2]}) >= reach * reach) continue;
         const YarnPlace there = place(other, (c + 0.5) / cells.n);
-        if (too_near(at, there, radii) || (on_second ? is_counted_(there, at) : is_counted_(at, there))) continue;
-        if (touches_.size() > before && touches_.back().last == c - 1) {
-          touches_.back().last = c;
+        if (too_near(at, there, radii)) continue;
+        if (touches.size() > before && touches.back().last == c - 1) {
+          touches.back().last = c;
         } else {
-          touches_.push_back({{strips, i}, cells, c, c});
+          touches.push_back({strips, i, cells, c, c});
         }
       }
     }
@@ -236,10 +197,104 @@ class Layout {
            std::abs(arc_of(elements_, a) - arc_of(elements_, b)) < kSelfContactArc * std::numbers::pi * radii;
   }
 
+  const YarnElements& elements_;
+  const ContactElements& pieces_;
+  const Centreline& line_;
+  PointList first_points_, second_points_, cell_points_;
+  std::vector<double> first_profile_, second_profile_, squared_, least_;
+};
+
+/// Brings the touches of the pairs that were looked at up to date.
+void find_touches(const YarnElements& elements, const ContactElements& pieces, const Centreline& line,
+                  const PairsLookedAt& looked_at, FollowedContacts& contacts) {
+  TouchFinder finder(elements, pieces, line);
+  std::vector<PairTouches> pairs;
+  std::vector<Touch> touches;
+  auto old = contacts.pairs.cbegin();
+  const auto keep_until = [&](ElementPair pair) {
+    for (; old != contacts.pairs.cend() && is_less(old->pair, pair); ++old) {
+      pairs.push_back(*old);
+      pairs.back().first_touch = touches.size();
+      const auto from = contacts.touches.cbegin() + static_cast<std::ptrdiff_t>(old->first_touch);
+      touches.insert(touches.end(), from, from + static_cast<std::ptrdiff_t>(old->n_touches));
+    }
+  };
+  auto touching = looked_at.touching.cbegin();
+  for (const ElementPair pair : looked_at.all) {
+    keep_until(pair);
+    bool was_on_second = false;
+    if (old != contacts.pairs.cend() && !is_less(pair, old->pair)) was_on_second = (old++)->on_second;
+    if (touching == looked_at.touching.cend() || is_less(pair, *touching)) continue;
+    ++touching;
+    const PairTouches found = finder.find(pair, was_on_second, touches);
+    if (found.n_touches > 0) pairs.push_back(found);
+  }
+  keep_until({std::numeric_limits<std::int32_t>::max(), 0});
+  contacts.pairs = std::move(pairs);
+  contacts.touches = std::move(touches);
+}
+
+/// Makes strips out of touches.
+class Layout {
+ public:
+  Layout(const YarnElements& elements, const ContactElements& pieces) : elements_(elements), pieces_(pieces) {}
+
+  /// Takes the touches that no crossing counts.
+  void take(const FollowedContacts& contacts, const CountedElsewhere& is_counted) {
+    for (const PairTouches& pair : contacts.pairs) {
+      for (std::size_t t = pair.first_touch; t < pair.first_touch + pair.n_touches; ++t) {
+        take(contacts.touches[t], pair.on_second, is_counted);
+      }
+    }
+    std::sort(touches_.begin(), touches_.end());
+  }
+
+  void lay(FollowedContacts& contacts) const {
+    contacts.strips.clear();
+    contacts.spans.clear();
+    contacts.points.clear();
+    NeededPoints strips;
+    NeededPoints cells;
+    for (const Touch& touch : touches_) {
+      strips.need(touch.strips, touch.strip, touch.strip);
+      cells.need(touch.cells, touch.first, touch.last);
+    }
+    place_middles(strips.ranges(), contacts.points);
+    place_cells(cells.ranges(), contacts.points);
+    for (std::size_t i = 0; i < touches_.size();) {
+      std::size_t end = i + 1;
+      while (end < touches_.size() && follows(touches_[end - 1], touches_[end])) ++end;
+      add_strip(i, end, strips, cells, contacts);
+      i = end;
+    }
+  }
+
+ private:
+  [[nodiscard]] double length_of(std::int32_t piece) const {
+    return elements_.length[static_cast<std::size_t>(pieces_.element_of(piece))] / pieces_.pieces_per_element;
+  }
+  [[nodiscard]] YarnPlace place(CutPiece of, double part) const {
+    return {pieces_.element_of(of.piece), pieces_.place_on_element(of.piece, part / of.n)};
+  }
+
+  void take(const Touch& touch, bool on_second, const CountedElsewhere& is_counted) {
+    const YarnPlace at = place(touch.strips, touch.strip + 0.5);
+    const std::size_t before = touches_.size();
+    for (std::int32_t c = touch.first; c <= touch.last; ++c) {
+      const YarnPlace there = place(touch.cells, c + 0.5);
+      if (on_second ? is_counted(there, at) : is_counted(at, there)) continue;
+      if (touches_.size() > before && touches_.back().last == c - 1) {
+        touches_.back().last = c;
+      } else {
+        touches_.push_back({touch.strips, touch.strip, touch.cells, c, c});
+      }
+    }
+  }
+
   /// Whether the cells of a touch go on where those of the touch before end, for the same strip.
   [[nodiscard]] bool follows(const Touch& before, const Touch& next) const {
-    return next.strip == before.strip && next.of.piece == before.of.piece + 1 &&
-           pieces_.has_next(static_cast<std::size_t>(before.of.piece)) && before.last == before.of.n - 1 &&
+    return next.strips == before.strips && next.strip == before.strip && next.cells.piece == before.cells.piece + 1 &&
+           pieces_.has_next(static_cast<std::size_t>(before.cells.piece)) && before.last == before.cells.n - 1 &&
            next.first == 0;
   }
 
@@ -270,33 +325,29 @@ class Layout {
 
   void add_strip(std::size_t from, std::size_t to, const NeededPoints& strips, const NeededPoints& cells,
                  FollowedContacts& contacts) const {
-    const Part& part = touches_[from].strip;
-    const PointRange& middles = strips.of(part.of);
+    const Touch& first = touches_[from];
+    const PointRange& middles = strips.of(first.strips);
     Strip strip;
-    strip.at = place(part.of.piece, (part.at + 0.5) / part.of.n);
+    strip.at = place(first.strips, first.strip + 0.5);
     strip.block = middles.block;
-    strip.point = middles.first_point + static_cast<std::size_t>(part.at - middles.first);
-    strip.length = length_of(part.of.piece) / part.of.n;
+    strip.point = middles.first_point + static_cast<std::size_t>(first.strip - middles.first);
+    strip.length = length_of(first.strips.piece) / first.strips.n;
     strip.first_span = contacts.spans.size();
     for (std::size_t i = from; i < to; ++i) {
       const Touch& touch = touches_[i];
-      const PointRange& range = cells.of(touch.of);
+      const PointRange& range = cells.of(touch.cells);
       contacts.spans.push_back(
           {range.block, range.first_point + static_cast<std::size_t>(2 * (touch.first - range.first)),
-           static_cast<std::size_t>(touch.last - touch.first + 1), length_of(touch.of.piece) / touch.of.n});
+           static_cast<std::size_t>(touch.last - touch.first + 1), length_of(touch.cells.piece) / touch.cells.n});
     }
     strip.n_spans = to - from;
     const Touch& amid = touches_[(from + to - 1) / 2];
-    strip.other = place(amid.of.piece, 0.5 * (amid.first + amid.last + 1) / amid.of.n);
+    strip.other = place(amid.cells, 0.5 * (amid.first + amid.last + 1));
     contacts.strips.push_back(strip);
   }
 
   const YarnElements& elements_;
   const ContactElements& pieces_;
-  const Centreline& line_;
-  const CountedElsewhere& is_counted_;
-  PointList first_points_, second_points_, cell_points_;
-  std::vector<double> first_profile_, second_profile_, squared_, least_;
   std::vector<Touch> touches_;
 };
 
@@ -357,19 +408,11 @@ const Strip* ContactMemory::strip(YarnPlace at, YarnPlace other) const {
 }
 
 void lay_strips(const YarnElements& elements, const ContactElements& pieces, const Centreline& line,
-                const std::vector<ElementPair>& touching, const CountedElsewhere& is_counted,
-                const std::vector<PairSide>& sides_before, const ContactMemory& memory, FollowedContacts& contacts) {
-  const auto pair_is_less = [](const PairSide& side, ElementPair pair) {
-    return std::pair(side.pair.first, side.pair.second) < std::pair(pair.first, pair.second);
-  };
-  Layout layout(elements, pieces, line, is_counted);
-  contacts.sides.clear();
-  for (const ElementPair pair : touching) {
-    const auto old = std::lower_bound(sides_before.begin(), sides_before.end(), pair, pair_is_less);
-    const bool was_on_second =
-        old != sides_before.end() && old->pair.first == pair.first && old->pair.second == pair.second && old->on_second;
-    layout.add(pair, was_on_second, contacts.sides);
-  }
+                const PairsLookedAt& looked_at, const CountedElsewhere& is_counted, const ContactMemory& memory,
+                FollowedContacts& contacts) {
+  find_touches(elements, pieces, line, looked_at, contacts);
+  Layout layout(elements, pieces);
+  layout.take(contacts, is_counted);
   layout.lay(contacts);
   remember(memory, contacts.strips);
 }

@@ -36,13 +36,16 @@ class ContactMemory {
   ByElement held_on_, strips_on_;
 };
 
+/// Pairs of pieces that a look has come to, ascending: all of them, and those that may touch soon.
+struct PairsLookedAt {
+  std::vector<ElementPair> all, touching;
+};
+
 /// Lays strips and cells (strips.h) wherever pieces are near each other and no crossing counts the overlap; replaces
-/// those of before. A strip that lay there already keeps its memory, a new one takes that of the nearest contact
-/// before.
-/// \param touching pairs of pieces that may touch soon, ascending
-/// \param sides_before of the pairs that had strips
+/// those of before. Pairs that were not looked at keep the touches that they had. A strip that lay there already keeps
+/// its memory, a new one takes that of the nearest contact before.
 void lay_strips(const YarnElements& elements, const ContactElements& pieces, const Centreline& line,
-                const std::vector<ElementPair>& touching, const CountedElsewhere& is_counted,
-                const std::vector<PairSide>& sides_before, const ContactMemory& memory, FollowedContacts& contacts);
+                const PairsLookedAt& looked_at, const CountedElsewhere& is_counted, const ContactMemory& memory,
+                FollowedContacts& contacts);
 
 }  // namespace knitmech::contact

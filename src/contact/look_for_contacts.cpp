@@ -67,6 +67,7 @@ class Look {
     const Vector3 along_second = second.end - second.start;
     const ClosestPoints chords = closest_points(first.start, along_first, second.start, along_second);
     const Vector3 apart = second.start + chords.t * along_second - first.start - chords.s * along_first;
+    looked_at_.all.push_back(pair);
     const double least = length(apart) - bulge(first) - bulge(second) - radii;
     if (least > followed) return least - followed;
 
@@ -78,12 +79,11 @@ class Look {
         is_of_yarn(pieces_, pair.second, at.t, at.slope_t, dot(at.second_slope, at.second_slope))) {
       add_crossing(place(pair.first, at.s), place(pair.second, at.t), gap);
     }
-    touching_.push_back(pair);
-    return 0;
+    looked_at_.touching.push_back(pair);
+    return kLookAtPairAgain * radii;
   }
 
-  /// Pairs that touch or will soon, as far as at() was told.
-  [[nodiscard]] const std::vector<ElementPair>& touching() const { return touching_; }
+  [[nodiscard]] const PairsLookedAt& looked_at() const { return looked_at_; }
 
   /// Leaves two closest places within one overlap to the strips: neither has a parabola of its own.
   void leave_doubles() {
@@ -198,7 +198,7 @@ class Look {
   const ContactMemory& memory_;
   FollowedContacts& contacts_;
   ByElement crossings_on_;
-  std::vector<ElementPair> touching_;
+  PairsLookedAt looked_at_;
 };
 
 /// Drops crossings that have come apart, have run into each other, or are left to strips.
@@ -225,16 +225,17 @@ void drop(const YarnElements& elements, std::vector<Crossing>& crossings) {
 
 void look_for_contacts(const YarnElements& elements, const ContactElements& pieces, const Centreline& line,
                        const Motion& motion, PairWatch& watch, FollowedContacts& contacts) {
-  const FollowedContacts before = contacts;
+  FollowedContacts before;
+  before.crossings = contacts.crossings;
+  before.strips = std::move(contacts.strips);
   const ContactMemory memory(elements, before);
   drop(elements, contacts.crossings);
   Look look(elements, pieces, line, memory, contacts);
   watch.look_at_all(pieces, motion, [&](ElementPair pair) { return look.at(pair); });
   look.leave_doubles();
   lay_strips(
-      elements, pieces, line, look.touching(),
-      [&](YarnPlace first, YarnPlace second) { return look.is_counted(first, second); }, before.sides, memory,
-      contacts);
+      elements, pieces, line, look.looked_at(),
+      [&](YarnPlace first, YarnPlace second) { return look.is_counted(first, second); }, memory, contacts);
 }
 
 }  // namespace knitmech::contact
