@@ -27,15 +27,22 @@ constexpr std::array<double, kAngleTerms> angle_series() {
 }
 inline constexpr std::array<double, kAngleTerms> kAngleSeries = angle_series();
 
-/// sum a_(n+1) y^n by Horner's rule, written out by the compiler: a loop in here would keep the loop over elements
-/// scalar.
-template <std::size_t n>
-KNITMECH_INLINE double angle_polynomial(double y) {
-  if constexpr (n + 1 == kAngleSeries.size()) {
+/// The terms of sum a_(n+1) y^n from `n` on, every `stride`-th, as a polynomial in `power` = y^stride, by Horner's
+/// rule. Written out by the compiler: a loop in here would keep the loop over elements scalar.
+template <std::size_t n, std::size_t stride>
+KNITMECH_INLINE double angle_terms(double power) {
+  if constexpr (n + stride >= kAngleSeries.size()) {
     return kAngleSeries[n];
   } else {
-    return kAngleSeries[n] + y * angle_polynomial<n + 1>(y);
+    return kAngleSeries[n] + power * angle_terms<n + stride, stride>(power);
   }
+}
+
+/// sum a_(n+1) y^n. In four sums that do not wait for each other: the processor has something to do meanwhile.
+KNITMECH_INLINE double angle_polynomial(double y) {
+  const double y2 = y * y;
+  const double y4 = y2 * y2;
+  return (angle_terms<0, 4>(y4) + y * angle_terms<1, 4>(y4)) + y2 * (angle_terms<2, 4>(y4) + y * angle_terms<3, 4>(y4));
 }
 
 /// What a relative rotation needs besides its quaternion (cos phi, u sin phi), phi = half the angle, 0 <= phi < 180
@@ -51,7 +58,7 @@ struct HalfAngle {
 KNITMECH_INLINE HalfAngle half_angle(double cosine) {
   const double cos_half = std::sqrt(0.5 * (1 + cosine));
   const double y = 1 - cos_half;
-  const double sum = 1 + angle_polynomial<0>(y);
+  const double sum = 1 + angle_polynomial(y);
   return {1 + y * sum / cos_half, -sum / (2 * cos_half * (1 + cos_half) * (1 + cosine)), cos_half};
 }
 
