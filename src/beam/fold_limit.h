@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "base/thread_team.h"
 #include "beam/elements.h"
 #include "model/state.h"
 
@@ -27,7 +28,8 @@ class FoldLimit {
   explicit FoldLimit(const Elements& elements);
 
   /// Adds the moments on the nodes.
-  void add_moments(const model::State& state, model::NodalLoads& loads);
+  void add_moments(const model::State& state, model::NodalLoads& loads,
+                   const base::ThreadTeam& team = base::ThreadTeam(1));
   /// Forgets an element, which has broken.
   void remove(std::size_t element);
   /// At the last call of add_moments [mJ].
@@ -38,7 +40,12 @@ class FoldLimit {
     std::size_t node;
     double stiffness;  ///< k [N mm]
   };
+  [[nodiscard]] static double add_moment(const SoftElement& element, const model::State& state,
+                                         model::NodalLoads& loads);
+
   std::vector<SoftElement> soft_;
+  /// [mJ], of the blocks (base/blocks.h) without their last elements, and of these.
+  std::vector<double> energy_of_block_, energy_of_last_;
   double energy_ = 0;
 };
 

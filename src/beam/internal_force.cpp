@@ -1,7 +1,10 @@
 #include "beam/internal_force.h"
 
+#include <algorithm>
+#include <array>
 #include <numeric>
 
+#include "base/blocks.h"
 #include "beam/element.h"
 
 namespace knitmech::beam {
@@ -49,82 +52,126 @@ struct Input {
   }
 };
 
-struct Output {
-  double* __restrict fx, * __restrict fy, * __restrict fz;
-  double* __restrict ax, * __restrict ay, * __restrict az;
-  double* __restrict bx, * __restrict by, * __restrict bz;
-  double* __restrict approach;
-  double* __restrict loss;
+/// What one block of elements passes on to its nodes. Entry k + 1 is the k-th element's; entry 0 is that of the last
+/// element of the block before, if this thread had it, and the entry behind the last stays zero.
+struct BlockLoads {
+  struct Axis {
+    using Values = std::array<double, base::kBlock + 2>;
+    Values force;  // on the first node; the second gets the opposite
+    Values on_first, on_second;
+  };
+  Axis x, y, z;
+  std::array<double, base::kBlock> loss;
 
-  explicit Output(ElementWork& w)
-      : fx(w.force_a.x.data()),
-        fy(w.force_a.y.data()),
-        fz(w.force_a.z.data()),
-        ax(w.moment_a.x.data()),
-        ay(w.moment_a.y.data()),
-        az(w.moment_a.z.data()),
-        bx(w.moment_b.x.data()),
-        by(w.moment_b.y.data()),
-        bz(w.moment_b.z.data()),
-        approach(w.approach.data()),
-        loss(w.damping_loss.data()) {}
+  /// Sets entry 0 to that of an element (0: to zero), and the entry behind n elements to zero.
+  void set_ends(std::size_t element_before, std::size_t n) {
+    for (Axis* axis : {&x, &y, &z}) {
+      for (Axis::Values* values : {&axis->force, &axis->on_first, &axis->on_second}) {
+        (*values)[0] = element_before > 0 ? (*values)[element_before] : 0;
+        (*values)[n + 1] = 0;
+      }
+    }
+  }
 };
 
-KNITMECH_VECTORISE void element_pass(const Input in, const Output out, std::size_t n, double step) {
+/// \param before approach of the elements, see ElementWork
+KNITMECH_VECTORISE void element_pass(const Input in, std::size_t begin, std::size_t n, double step,
+                                     double* __restrict before, BlockLoads& out) {
 #pragma GCC ivdep
-  for (std::size_t i = 0; i < n; ++i) {
+  for (std::size_t k = 0; k < n; ++k) {
+    const std::size_t i = begin + k;
     const ElementProperties element = in.properties(i);
     const ElementState state = in.state(element, i);
     const double approach = state.inverse_chord * dot(in.chord(i), in.speed_difference(i));
     const double viscous = in.viscosity[i] * approach;
     const ElementLoads loads = element_loads(state, state.force + (viscous * state.inverse_chord) * state.chord);
-    out.fx[i] = loads.force_a.x;
-    out.fy[i] = loads.force_a.y;
-    out.fz[i] = loads.force_a.z;
-    out.ax[i] = loads.moment_a.x;
-    out.ay[i] = loads.moment_a.y;
-    out.az[i] = loads.moment_a.z;
-    out.bx[i] = loads.moment_b.x;
-    out.by[i] = loads.moment_b.y;
-    out.bz[i] = loads.moment_b.z;
-    const double before = out.approach[i];
-    out.loss[i] += 0.5 * step * in.viscosity[i] * before * (before + approach);
-    out.approach[i] = approach;
+    out.x.force[k + 1] = loads.force_a.x;
+    out.y.force[k + 1] = loads.force_a.y;
+    out.z.force[k + 1] = loads.force_a.z;
+    out.x.on_first[k + 1] = loads.moment_a.x;
+    out.y.on_first[k + 1] = loads.moment_a.y;
+    out.z.on_first[k + 1] = loads.moment_a.z;
+    out.x.on_second[k + 1] = loads.moment_b.x;
+    out.y.on_second[k + 1] = loads.moment_b.y;
+    out.z.on_second[k + 1] = loads.moment_b.z;
+    out.loss[k] = 0.5 * step * in.viscosity[i] * before[i] * (before[i] + approach);
+    before[i] = approach;
   }
 }
 
-/// node i gets `at_a` of the element that starts there plus `sign` times `at_b` of the element that ends there.
-KNITMECH_VECTORISE void gather_pass(const double* at_a, const double* at_b, double sign, double* __restrict node,
+/// Node k of the block gets the loads of the element that starts there and of the one that ends there.
+KNITMECH_VECTORISE void gather_pass(const BlockLoads::Axis& axis, double* __restrict force, double* __restrict moment,
                                     std::size_t n_nodes) {
-  node[0] = at_a[0];
 #pragma GCC ivdep
-  for (std::size_t i = 1; i + 1 < n_nodes; ++i) node[i] = at_a[i] + sign * at_b[i - 1];
-  node[n_nodes - 1] = sign * at_b[n_nodes - 2];
+  for (std::size_t k = 0; k < n_nodes; ++k) {
+    force[k] = axis.force[k + 1] - axis.force[k];
+    moment[k] = axis.on_first[k + 1] + axis.on_second[k];
+  }
+}
+
+KNITMECH_VECTORISE double sum_of_losses(const BlockLoads& loads, std::size_t n) {
+  return base::sum_in_lanes(loads.loss.data(), n);
+}
+
+KNITMECH_VECTORISE double energy_pass(const Input in, std::size_t begin, std::size_t n) {
+  std::array<double, base::kBlock> energy;  // NOLINT(cppcoreguidelines-pro-type-member-init): written below
+#pragma GCC ivdep
+  for (std::size_t k = 0; k < n; ++k) {
+    const ElementProperties element = in.properties(begin + k);
+    energy[k] = strain_energy(element, in.state(element, begin + k));
+  }
+  return base::sum_in_lanes(energy.data(), n);
+}
+
+/// Elements that start at the nodes from begin to end; at the very last node there starts none.
+std::size_t elements_of(std::size_t begin, std::size_t end, std::size_t n_nodes) {
+  return std::min(end, n_nodes - 1) - begin;
+}
+
+/// \param n elements in the block
+void keep_for_next_block(const BlockLoads& from, std::size_t n, std::size_t block, model::NodalLoads& to) {
+  to.force.set(block, {-from.x.force[n], -from.y.force[n], -from.z.force[n]});
+  to.moment.set(block, {from.x.on_second[n], from.y.on_second[n], from.z.on_second[n]});
 }
 
 }  // namespace
 
-void set_internal_force(const Elements& elements, const model::State& state, double step, ElementWork& work,
-                        model::NodalLoads& loads) {
-  const std::size_t n = elements.size();
-  element_pass(Input(elements, state), Output(work), n - 1, step);
+ElementWork::ElementWork(std::size_t n_nodes)
+    : approach(n_nodes, 0.0), damping_loss(base::n_blocks(n_nodes), 0.0), on_next_block(base::n_blocks(n_nodes)) {}
 
-  gather_pass(work.force_a.x.data(), work.force_a.x.data(), -1, loads.force.x.data(), n);
-  gather_pass(work.force_a.y.data(), work.force_a.y.data(), -1, loads.force.y.data(), n);
-  gather_pass(work.force_a.z.data(), work.force_a.z.data(), -1, loads.force.z.data(), n);
-  gather_pass(work.moment_a.x.data(), work.moment_b.x.data(), 1, loads.moment.x.data(), n);
-  gather_pass(work.moment_a.y.data(), work.moment_b.y.data(), 1, loads.moment.y.data(), n);
-  gather_pass(work.moment_a.z.data(), work.moment_b.z.data(), 1, loads.moment.z.data(), n);
+void set_internal_force(const Elements& elements, const model::State& state, double step, ElementWork& work,
+                        model::NodalLoads& loads, const base::ThreadTeam& team) {
+  const Input in(elements, state);
+  const std::size_t n_nodes = elements.size();
+  team.for_ranges(n_nodes, base::kBlock, [&](std::size_t first, std::size_t last) {
+    BlockLoads of_block;  // NOLINT(cppcoreguidelines-pro-type-member-init): all that is read is written first
+    std::size_t n = 0;
+    for (std::size_t begin = first; begin < last; begin += base::kBlock) {
+      const std::size_t end = std::min(begin + base::kBlock, last);
+      const std::size_t n_before = n;
+      n = elements_of(begin, end, n_nodes);
+      of_block.set_ends(n_before, n);
+      element_pass(in, begin, n, step, work.approach.data(), of_block);
+      gather_pass(of_block.x, &loads.force.x[begin], &loads.moment.x[begin], end - begin);
+      gather_pass(of_block.y, &loads.force.y[begin], &loads.moment.y[begin], end - begin);
+      gather_pass(of_block.z, &loads.force.z[begin], &loads.moment.z[begin], end - begin);
+      work.damping_loss[begin / base::kBlock] += sum_of_losses(of_block, n);
+    }
+    keep_for_next_block(of_block, n, (last - 1) / base::kBlock, work.on_next_block);
+  });
+  for (std::size_t part = 1; part < team.size(); ++part) {
+    const auto [begin, end] = team.range_of(part, n_nodes, base::kBlock);
+    if (begin == 0 || begin == end) continue;
+    loads.force.add(begin, work.on_next_block.force.at(begin / base::kBlock - 1));
+    loads.moment.add(begin, work.on_next_block.moment.at(begin / base::kBlock - 1));
+  }
 }
 
-double strain_energy(const Elements& elements, const model::State& state) {
+double strain_energy(const Elements& elements, const model::State& state, const base::ThreadTeam& team) {
   const Input in(elements, state);
-  double energy = 0;
-  for (std::size_t i = 0; i + 1 < elements.size(); ++i) {
-    const ElementProperties element = in.properties(i);
-    energy += strain_energy(element, in.state(element, i));
-  }
-  return energy;
+  return base::sum_over_blocks(team, elements.size(), [&](std::size_t begin, std::size_t end) {
+    return energy_pass(in, begin, elements_of(begin, end, elements.size()));
+  });
 }
 
 double damping_loss(const ElementWork& work) {

@@ -2,6 +2,8 @@
 
 #include <map>
 
+#include "base/blocks.h"
+
 namespace knitmech::beam {
 
 namespace {
@@ -37,21 +39,28 @@ NonlinearAxial::NonlinearAxial(const model::Model& model) {
   }
 }
 
-void NonlinearAxial::set_secants(const model::State& state, Elements& elements) const {
-  for (const LawElement& here : with_law_) {
-    const yarn::AxialLaw& law = laws_[here.law];
-    const double strain = axial_strain(elements, state, here.element);
-    elements.axial[here.element] = strain > kNoStrain ? law.force(strain) / strain : law.slope_at_zero();
-  }
+void NonlinearAxial::set_secants(const model::State& state, Elements& elements, const base::ThreadTeam& team) const {
+  if (with_law_.empty()) return;
+  team.for_ranges(with_law_.size(), base::kBlock, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      const LawElement& here = with_law_[k];
+      const yarn::AxialLaw& law = laws_[here.law];
+      const double strain = axial_strain(elements, state, here.element);
+      elements.axial[here.element] = strain > kNoStrain ? law.force(strain) / strain : law.slope_at_zero();
+    }
+  });
 }
 
-double NonlinearAxial::energy_beyond_secants(const Elements& elements, const model::State& state) const {
-  double energy = 0;
-  for (const LawElement& here : with_law_) {
-    energy += beyond_secant(laws_[here.law], axial_strain(elements, state, here.element),
-                            elements.inverse_length[here.element]);
-  }
-  return energy;
+double NonlinearAxial::energy_beyond_secants(const Elements& elements, const model::State& state,
+                                             const base::ThreadTeam& team) const {
+  return base::sum_over_blocks(team, with_law_.size(), [&](std::size_t begin, std::size_t end) {
+    double energy = 0;
+    for (std::size_t k = begin; k < end; ++k) {
+      const std::size_t i = with_law_[k].element;
+      energy += beyond_secant(laws_[with_law_[k].law], axial_strain(elements, state, i), elements.inverse_length[i]);
+    }
+    return energy;
+  });
 }
 
 void NonlinearAxial::correct_stretch_energy(const Elements& elements, model::Frame& frame) const {

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "base/thread_team.h"
 #include "beam/elements.h"
 #include "model/frame.h"
 #include "model/model.h"
@@ -28,10 +29,12 @@ class NonlinearAxial {
   explicit NonlinearAxial(const model::Model& model);
 
   /// Sets Elements::axial of the elements with a law for a state.
-  void set_secants(const model::State& state, Elements& elements) const;
+  void set_secants(const model::State& state, Elements& elements,
+                   const base::ThreadTeam& team = base::ThreadTeam(1)) const;
 
   /// What strain_energy() lacks after set_secants() for the same state [mJ].
-  [[nodiscard]] double energy_beyond_secants(const Elements& elements, const model::State& state) const;
+  [[nodiscard]] double energy_beyond_secants(const Elements& elements, const model::State& state,
+                                             const base::ThreadTeam& team = base::ThreadTeam(1)) const;
 
   /// Puts the energy of the law into the stretch_energy of a frame that has its section results.
   void correct_stretch_energy(const Elements& elements, model::Frame& frame) const;

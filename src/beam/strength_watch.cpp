@@ -1,7 +1,9 @@
 #include "beam/strength_watch.h"
 
 #include <algorithm>
+#include <atomic>
 
+#include "base/blocks.h"
 #include "base/vectorise.h"
 
 namespace knitmech::beam {
@@ -24,10 +26,10 @@ KNITMECH_INLINE double utilisation(const double* x, const double* y, const doubl
 }
 
 KNITMECH_VECTORISE double largest_utilisation(const double* x, const double* y, const double* z,
-                                              const double* inverse_squared, std::size_t n) {
+                                              const double* inverse_squared, std::size_t begin, std::size_t end) {
   double largest = 0;
 #pragma omp simd reduction(max : largest)
-  for (std::size_t i = 0; i < n; ++i) {
+  for (std::size_t i = begin; i < end; ++i) {
     const double here = utilisation(x, y, z, inverse_squared, i);
     largest = largest > here ? largest : here;
   }
@@ -50,12 +52,16 @@ StrengthWatch::StrengthWatch(const model::Model& model, const Elements& elements
   }
 }
 
-std::vector<std::size_t> StrengthWatch::overloaded(const model::State& state) const {
+std::vector<std::size_t> StrengthWatch::overloaded(const model::State& state, const base::ThreadTeam& team) const {
   if (!is_needed_) return {};
   const model::VectorArray& at = state.position;
   const std::size_t n = inverse_limit_squared_.size() - 1;
   const double* const limits = inverse_limit_squared_.data();
-  if (!(largest_utilisation(at.x.data(), at.y.data(), at.z.data(), limits, n) >= 1)) return {};
+  std::atomic<bool> is_any = false;
+  team.for_ranges(n, base::kBlock, [&](std::size_t begin, std::size_t end) {
+    if (largest_utilisation(at.x.data(), at.y.data(), at.z.data(), limits, begin, end) >= 1) is_any = true;
+  });
+  if (!is_any) return {};
   const auto of = [&](std::size_t i) { return utilisation(at.x.data(), at.y.data(), at.z.data(), limits, i); };
   std::vector<std::size_t> found;
   for (std::size_t i = 0; i < n; ++i) {

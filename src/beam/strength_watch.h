@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "base/thread_team.h"
 #include "beam/elements.h"
 #include "model/model.h"
 #include "model/state.h"
@@ -21,7 +22,8 @@ class StrengthWatch {
   [[nodiscard]] bool is_needed() const { return is_needed_; }
 
   /// Elements at or beyond their strength, the most overloaded (by length over length at the strength) first.
-  [[nodiscard]] std::vector<std::size_t> overloaded(const model::State& state) const;
+  [[nodiscard]] std::vector<std::size_t> overloaded(const model::State& state,
+                                                    const base::ThreadTeam& team = base::ThreadTeam(1)) const;
 
   /// Forgets an element, which has broken.
   void remove(std::size_t element) { inverse_limit_squared_[element] = 0; }

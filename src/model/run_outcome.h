@@ -41,6 +41,7 @@ struct RunOutcome {
   double largest_penetration = 0;   ///< [mm], over the whole run
   double largest_tie_stretch = 0;   ///< [mm], by which a tie has given way, at any history row
   double mass_scaling = 1;          ///< factor used
+  int threads = 1;                  ///< used by the solver
   int lost_crossings = 0;           ///< yarns that passed through each other
   long crossing_checks = 0;         ///< how often all crossings were checked
   std::vector<Ravelling> ravelled;  ///< in the order of time

@@ -29,6 +29,7 @@ double smallest_radius(const model::Model& model) {
 ExplicitSolver::ExplicitSolver(const model::Model& model, const ExplicitSettings& settings)
     : model_(model),
       settings_(settings),
+      team_(static_cast<std::size_t>(settings.threads)),
       elements_(beam::make_elements(model, settings.mass_scaling, settings.bulk_viscosity)),
       inertia_(beam::lump_inertia(elements_, settings.mass_scaling)),
       work_(model.nodes.size()),
@@ -59,7 +60,7 @@ double ExplicitSolver::stable_step_for(double contact_frequency_squared) const {
 /// The step shrinks at once when it has to and grows seldom: every change of the step feeds or drains the fastest
 /// vibrations of a leapfrog, so a step that follows every contact would heat the yarns up.
 void ExplicitSolver::look_at_stable_step() {
-  const double speed_squared = largest_speed_squared(state_);
+  const double speed_squared = largest_speed_squared(state_, team_);
   is_finite_ = !std::isnan(speed_squared);
   double allowed = stable_step_for(contact_.highest_frequency_squared(inertia_.mass, inertia_.rotary));
   if (speed_squared > 0) allowed = std::min(allowed, kLargestMove * smallest_radius_ / std::sqrt(speed_squared));
@@ -74,9 +75,9 @@ void ExplicitSolver::look_at_stable_step() {
 }
 
 void ExplicitSolver::compute_forces(double viscous_time, double friction_time) {
-  nonlinear_.set_secants(state_, elements_);
-  beam::set_internal_force(elements_, state_, viscous_time, work_, loads_);
-  folds_.add_moments(state_, loads_);
+  nonlinear_.set_secants(state_, elements_, team_);
+  beam::set_internal_force(elements_, state_, viscous_time, work_, loads_, team_);
+  folds_.add_moments(state_, loads_, team_);
   contact_.add_forces(state_, friction_time, loads_);
   largest_penetration_ = std::max(largest_penetration_, contact_.largest_penetration());
   forces_are_current_ = true;
@@ -93,9 +94,6 @@ void ExplicitSolver::step() {
 
   evaluate();
   if (pull_.has_to_look(steps_)) pull_.look(internal_energy(), kinetic_energy(), state_);
-  const bool damped = settings_.mass_damping > 0;
-  const model::VectorArray velocity_before = damped ? state_.velocity : model::VectorArray();
-  const model::VectorArray angular_before = damped ? state_.angular_velocity : model::VectorArray();
   const double speed = pull_.advance(step_, state_, loads_);
   ties_.apply(contact_.centreline(), inertia_, step_, settings_.mass_damping, state_, loads_);
   grips_.apply(inertia_, step_, settings_.mass_damping, state_, speed, loads_);
@@ -104,12 +102,8 @@ void ExplicitSolver::step() {
   impulse_bottom_ += h * grips_.force_bottom();
   impulse_time_ += h;
   pull_.add_forces(grips_.force_top(), grips_.force_bottom(), h);
-  integrate(inertia_, loads_, step_, settings_.mass_damping, state_);
-  for (std::size_t i = 0; i < velocity_before.size(); ++i) {
-    const Vector3 v = 0.5 * (velocity_before.at(i) + state_.velocity.at(i));
-    const Vector3 w = 0.5 * (angular_before.at(i) + state_.angular_velocity.at(i));
-    mass_damping_loss_ += settings_.mass_damping * h * (inertia_.mass[i] * dot(v, v) + inertia_.rotary[i] * dot(w, w));
-  }
+  mass_damping_loss_ += mass_damping_loss(inertia_, loads_, step_, settings_.mass_damping, state_, team_);
+  integrate(inertia_, loads_, step_, settings_.mass_damping, state_, team_);
   kick_ = h;
   step_.before = step_.after;
   forces_are_current_ = false;

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/thread_team.h"
 #include "beam/elements.h"
 #include "beam/fold_limit.h"
 #include "beam/internal_force.h"
@@ -29,6 +30,7 @@ struct ExplicitSettings {
   double mass_damping = 0;    ///< [1/s]
   double step_factor = 1;     ///< [-]
   bool adapts_pace = false;   ///< of the driven grip, see Pace
+  int threads = 1;            ///< the results do not depend on it
 };
 
 /// Steps a model through time by central differences (leapfrog), with beams, contact and grips.
@@ -89,6 +91,7 @@ class ExplicitSolver {
 
   const model::Model& model_;
   ExplicitSettings settings_;
+  base::ThreadTeam team_;
   beam::Elements elements_;
   beam::NodalInertia inertia_;
   beam::ElementWork work_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/thread_team.h"
 #include "beam/nodal_inertia.h"
 #include "model/state.h"
 
@@ -20,13 +21,20 @@ struct StepLengths {
 /// and the same for angular velocities, with the rotary inertia. Advances state.time.
 /// \param mass_damping alpha [1/s]
 void integrate(const beam::NodalInertia& inertia, const model::NodalLoads& loads, StepLengths step, double mass_damping,
-               model::State& state);
+               model::State& state, const base::ThreadTeam& team = base::ThreadTeam(1));
+
+/// What mass damping takes away in the step that integrate() would do [mJ]: alpha h m v^2 summed over the nodes, v the
+/// mean of v- and v+, and the same for their turning.
+[[nodiscard]] double mass_damping_loss(const beam::NodalInertia& inertia, const model::NodalLoads& loads,
+                                       StepLengths step, double mass_damping, const model::State& state,
+                                       const base::ThreadTeam& team = base::ThreadTeam(1));
 
 /// Kinetic energy at the time of the positions [mJ]: from v = v- + before / 2 F / m.
 [[nodiscard]] double kinetic_energy(const beam::NodalInertia& inertia, const model::NodalLoads& loads, StepLengths step,
-                                    const model::State& state);
+                                    const model::State& state, const base::ThreadTeam& team = base::ThreadTeam(1));
 
-/// Largest speed of a node, squared [mm^2/s^2]; not a number if any velocity is not one.
-[[nodiscard]] double largest_speed_squared(const model::State& state);
+/// Largest speed of a node, squared [mm^2/s^2]; not a number if any velocity is not one or is infinite.
+[[nodiscard]] double largest_speed_squared(const model::State& state,
+                                           const base::ThreadTeam& team = base::ThreadTeam(1));
 
 }  // namespace knitmech::solve

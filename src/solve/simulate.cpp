@@ -10,6 +10,7 @@
 #include "solve/constants.h"
 #include "solve/explicit_solver.h"
 #include "solve/mass_scaling.h"
+#include "solve/threads.h"
 
 namespace knitmech::solve {
 
@@ -93,12 +94,14 @@ class Run {
         callbacks_(callbacks),
         events_(schedule(model.test, settings)),
         mass_scaling_(settings.mass_scaling ? *settings.mass_scaling : automatic_mass_scaling(model)),
+        threads_(settings.threads ? *settings.threads : automatic_threads(model)),
         solver_(model, {mass_scaling_, settings.bulk_viscosity, settings.mass_damping, settings.step_factor,
-                        settings.adapts_pace && mass_scaling_ > 1}) {}
+                        settings.adapts_pace && mass_scaling_ > 1, threads_}) {}
 
   model::RunOutcome run() {
     const auto start = std::chrono::steady_clock::now();
     outcome_.mass_scaling = mass_scaling_;
+    outcome_.threads = threads_;
     outcome_.smallest_step = solver_.first_step();
     report(true);
     for (const Event& event : events_) {
@@ -182,6 +185,7 @@ class Run {
   const SimulationCallbacks& callbacks_;
   std::vector<Event> events_;
   double mass_scaling_;
+  int threads_;
   ExplicitSolver solver_;
   model::HistoryRow latest_;
   model::RunOutcome outcome_;
@@ -191,8 +195,14 @@ class Run {
 }  // namespace
 
 SimulationSettings settings_from(const model::Case& input) {
-  return {input.solver.mass_scaling, input.solver.bulk_viscosity, input.solver.mass_damping, input.solver.step_factor,
-          input.output.frames_at,    input.output.history_points, !input.solver.mass_scaling};
+  return {input.solver.mass_scaling,
+          input.solver.bulk_viscosity,
+          input.solver.mass_damping,
+          input.solver.step_factor,
+          input.output.frames_at,
+          input.output.history_points,
+          !input.solver.mass_scaling,
+          {}};
 }
 
 model::RunOutcome simulate(const model::Model& model, const SimulationSettings& settings,

@@ -20,6 +20,7 @@ struct SimulationSettings {
   std::vector<double> frames_at;  ///< strains [-] at which a frame is reported, ascending; start and end always are
   int history_points = 1000;      ///< history rows over the test, besides the one at the start
   bool adapts_pace = false;       ///< of the driven grip, see Pace; never where masses are not scaled
+  std::optional<int> threads;     ///< empty: see automatic_threads(). The results are the same to the last bit
 };
 
 [[nodiscard]] SimulationSettings settings_from(const model::Case& input);

@@ -10,7 +10,7 @@
 namespace knitmech::solve {
 
 void ExplicitSolver::look_for_breaks() {
-  const std::vector<std::size_t> found = breaks_.find(state_);
+  const std::vector<std::size_t> found = breaks_.find(state_, team_);
   if (found.empty()) return;
   evaluate();
   for (const std::size_t element : found) broken_.push_back(break_of(element));

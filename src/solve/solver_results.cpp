@@ -21,7 +21,8 @@ double ExplicitSolver::width() const {
 }
 
 double ExplicitSolver::internal_energy() const {
-  return beam::strain_energy(elements_, state_) + nonlinear_.energy_beyond_secants(elements_, state_) + folds_.energy();
+  return beam::strain_energy(elements_, state_, team_) + nonlinear_.energy_beyond_secants(elements_, state_, team_) +
+         folds_.energy();
 }
 
 double ExplicitSolver::kinetic_energy() const {
@@ -29,7 +30,7 @@ double ExplicitSolver::kinetic_energy() const {
   model::NodalLoads free_loads = loads_;
   ties_.add_last_forces(free_loads);
   grips_.clear_loads(free_loads);  // what the fabric does to a grip does not accelerate it
-  return solve::kinetic_energy(inertia_, free_loads, step_, state_);
+  return solve::kinetic_energy(inertia_, free_loads, step_, state_, team_);
 }
 
 model::HistoryRow ExplicitSolver::history() {

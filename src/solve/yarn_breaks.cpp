@@ -10,9 +10,9 @@ namespace knitmech::solve {
 YarnBreaks::YarnBreaks(const model::Model& model, const beam::Elements& elements, double mass_scaling)
     : model_(model), mass_scaling_(mass_scaling), watch_(model, elements) {}
 
-std::vector<std::size_t> YarnBreaks::find(const model::State& state) {
+std::vector<std::size_t> YarnBreaks::find(const model::State& state, const base::ThreadTeam& team) {
   std::vector<std::size_t> broken;
-  for (const std::size_t element : watch_.overloaded(state)) {
+  for (const std::size_t element : watch_.overloaded(state, team)) {
     if (is_being_unloaded(element, state.time)) continue;
     breaks_.push_back({element, model::yarn_of_node(model_, element), state.time});
     watch_.remove(element);

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "base/thread_team.h"
 #include "beam/strength_watch.h"
 #include "model/model.h"
 #include "model/state.h"
@@ -25,7 +26,8 @@ class YarnBreaks {
   YarnBreaks(const model::Model& model, const beam::Elements& elements, double mass_scaling);
 
   /// Elements that break in a state, each once.
-  [[nodiscard]] std::vector<std::size_t> find(const model::State& state);
+  [[nodiscard]] std::vector<std::size_t> find(const model::State& state,
+                                              const base::ThreadTeam& team = base::ThreadTeam(1));
 
   /// c of an element at its strength [mm/s].
   [[nodiscard]] double wave_speed(std::size_t element) const;

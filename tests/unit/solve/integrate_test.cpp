@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "../../support/beam_case.h"
 
@@ -69,6 +70,26 @@ TEST(Integrate, GivenASteadyAngularVelocity_ThenTheRotationIsExactAndStaysAUnitQ
   EXPECT_NEAR(std::abs(found.dot(expected)), 1.0, 1e-13);
 }
 
+TEST(MassDampingLoss, GivenANodeThatIsDampedAndPulled_ThenItIsWhatForceAndMotionLeaveOut) {
+  // Reference: the work of the force over the mean velocity, less the gain of kinetic energy.
+  Node node;
+  node.state.velocity.set(0, {3, -1, 2});
+  node.state.angular_velocity.set(0, {0.5, 4, -2});
+  node.loads.force.set(0, {4, 0, -2});
+  node.loads.moment.set(0, {-1, 0.3, 0});
+  const auto energy = [&] { return solve::kinetic_energy(node.inertia, model::NodalLoads(1), {}, node.state); };
+  const model::State before = node.state;
+  const double energy_before = energy();
+  const solve::StepLengths step{0.1, 0.3};
+  const double loss = solve::mass_damping_loss(node.inertia, node.loads, step, 2.0, node.state);
+  solve::integrate(node.inertia, node.loads, step, 2.0, node.state);
+  const Vector3 v = 0.5 * (before.velocity.at(0) + node.state.velocity.at(0));
+  const Vector3 w = 0.5 * (before.angular_velocity.at(0) + node.state.angular_velocity.at(0));
+  const double work = step.mean() * (dot(node.loads.force.at(0), v) + dot(node.loads.moment.at(0), w));
+  EXPECT_GT(loss, 0);
+  EXPECT_NEAR(loss, work - (energy() - energy_before), 1e-14 * energy_before);
+}
+
 TEST(KineticEnergy, GivenAVelocityAndAForce_ThenItIsThatOfTheInstantBetweenTheTwoVelocities) {
   Node node;
   node.state.velocity.x[0] = 3;
@@ -83,6 +104,8 @@ TEST(LargestSpeed, GivenAVelocityThatIsNotANumber_ThenItSaysSo) {
   Node node;
   EXPECT_EQ(solve::largest_speed_squared(node.state), 0.0);
   node.state.velocity.y[0] = std::nan("");
+  EXPECT_TRUE(std::isnan(solve::largest_speed_squared(node.state)));
+  node.state.velocity.y[0] = std::numeric_limits<double>::infinity();
   EXPECT_TRUE(std::isnan(solve::largest_speed_squared(node.state)));
 }
 
