@@ -33,6 +33,8 @@ constexpr const char* kExamples =
     "\n"
     "Exit codes: 0 done, 2 wrong input, 3 the simulation could not be finished, 4 files.";
 
+constexpr int kMostThreads = 1024;
+
 /// The command that the command line asks for, once it is read.
 using Action = std::function<ExitCode()>;
 
@@ -68,6 +70,11 @@ void add_run(CLI::App& app, Action& action) {
   command.add_flag("--json", options->json, "Write the outcome as JSON, for scripts, and nothing else");
   command.add_flag_callback(
       "--no-pictures", [options] { options->pictures = false; }, "Draw no pictures of the frames and of the curve");
+  command
+      .add_option("--threads", options->threads,
+                  "Threads of the solver (default: one per processor, or fewer where the fabric is too small to keep "
+                  "them busy); the results are the same for any number")
+      ->check(CLI::Range(1, kMostThreads));
   command.footer("Ctrl-C ends the run and keeps what was computed; a second one ends the program at once.");
   on_parse(command, action, options);
 }

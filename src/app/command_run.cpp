@@ -2,6 +2,7 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <optional>
 #include <system_error>
 
 #include "app/commands.h"
@@ -18,6 +19,7 @@
 #include "results/run_folder.h"
 #include "solve/mass_scaling.h"
 #include "solve/simulate.h"
+#include "solve/threads.h"
 
 namespace knitmech::app {
 namespace {
@@ -32,9 +34,10 @@ fs::path default_folder(const fs::path& case_file) {
   return "results" / name;
 }
 
-solve::SimulationSettings resolved_settings(const LoadedCase& loaded) {
+solve::SimulationSettings resolved_settings(const LoadedCase& loaded, std::optional<int> threads) {
   solve::SimulationSettings settings = solve::settings_from(loaded.input);
   if (!settings.mass_scaling) settings.mass_scaling = solve::automatic_mass_scaling(loaded.model);
+  settings.threads = threads ? *threads : solve::automatic_threads(loaded.model);
   return settings;
 }
 
@@ -80,13 +83,13 @@ void report_early_end(const model::RunOutcome& outcome, const fs::path& folder) 
 ExitCode run_command(const RunOptions& options) {
   const LoadedCase loaded = load_case(options.case_file);
   const model::Model& model = loaded.model;
-  const solve::SimulationSettings settings = resolved_settings(loaded);
+  const solve::SimulationSettings settings = resolved_settings(loaded, options.threads);
   const fs::path folder = options.folder.empty() ? default_folder(options.case_file) : fs::path(options.folder);
   const bool talks = !options.quiet && !options.json;
 
   if (talks) {
     const model::FabricFacts facts = model::describe(loaded.input, model);
-    fmt::print("{}", run_head_text(loaded, facts, *settings.mass_scaling, folder));
+    fmt::print("{}", run_head_text(loaded, facts, *settings.mass_scaling, *settings.threads, folder));
     std::fflush(stdout);
   }
   results::RunFolder results(folder, model::write_case(loaded.input), model);

@@ -29,6 +29,7 @@ struct RunOptions {
   bool quiet = false;
   bool json = false;
   bool pictures = true;
+  std::optional<int> threads;  ///< empty: as many as serve the fabric
 };
 
 struct ExportOptions {

@@ -148,7 +148,7 @@ std::string check_text(const LoadedCase& loaded, const model::FabricFacts& facts
   return text;
 }
 
-std::string run_head_text(const LoadedCase& loaded, const model::FabricFacts& facts, double mass_scaling,
+std::string run_head_text(const LoadedCase& loaded, const model::FabricFacts& facts, double mass_scaling, int threads,
                           const std::filesystem::path& folder) {
   std::string text = loaded.model.title + "\n";
   const auto add = [&](const char* name, const std::string& value) { text += fmt::format("  {:14}{}\n", name, value); };
@@ -162,6 +162,7 @@ std::string run_head_text(const LoadedCase& loaded, const model::FabricFacts& fa
   }
   add("test", test_text(loaded.model.test, solve::adapts_pace(loaded.input, mass_scaling)));
   add("mass scaling", mass_scaling_text(loaded.input, mass_scaling));
+  add("threads", std::to_string(threads));
   const bool replaces = std::filesystem::exists(folder / "summary.json");
   add("results", folder.string() + (replaces ? " (replaces the run that is there)" : ""));
   return text;

@@ -25,7 +25,7 @@ namespace knitmech::app {
 
 /// What `run` prints before it begins.
 [[nodiscard]] std::string run_head_text(const LoadedCase& loaded, const model::FabricFacts& facts, double mass_scaling,
-                                        const std::filesystem::path& folder);
+                                        int threads, const std::filesystem::path& folder);
 
 /// What `run` prints of a run that has ended, as it should or not.
 [[nodiscard]] std::string run_end_text(const model::Model& model, const model::RunOutcome& outcome,

@@ -62,6 +62,7 @@ Json solver_block(const Model& model, const RunOutcome& outcome) {
   const double element_steps = static_cast<double>(model.n_elements()) * static_cast<double>(outcome.steps);
   return {
       {"mass_scaling", number(outcome.mass_scaling)},
+      {"threads", outcome.threads},
       {"steps", outcome.steps},
       {"smallest_step_s", number(outcome.smallest_step)},
       {"simulated_time_s", number(outcome.time)},

@@ -48,6 +48,20 @@ expect_empty out
 expect_file results/jersey/history.csv
 expect_no_file results/jersey/pictures
 
+# Any number of threads gives the same run; small fabrics are run on one unless more are asked for.
+expect_in results/tiny/summary.json '"threads": 1,'
+knitmech run tiny.toml -o threads --no-pictures --threads 3
+expect_code 0
+expect_in out "threads       3"
+expect_in threads/summary.json '"threads": 3,'
+expect_same threads/history.csv first.csv
+for frame in 0000 0001 0002; do
+  expect_same threads/frames/frame_$frame.vtp results/tiny/frames/frame_$frame.vtp
+done
+knitmech run tiny.toml --threads 0
+expect_code 2
+expect_in err "--threads"
+
 # Another folder can be asked for; --json gives the summary.
 knitmech run tiny.toml -o some/where --json --no-pictures
 expect_code 0
