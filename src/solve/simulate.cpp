@@ -195,14 +195,8 @@ class Run {
 }  // namespace
 
 SimulationSettings settings_from(const model::Case& input) {
-  return {input.solver.mass_scaling,
-          input.solver.bulk_viscosity,
-          input.solver.mass_damping,
-          input.solver.step_factor,
-          input.output.frames_at,
-          input.output.history_points,
-          !input.solver.mass_scaling,
-          {}};
+  return {input.solver.mass_scaling, input.solver.bulk_viscosity, input.solver.mass_damping,  input.solver.step_factor,
+          input.output.frames_at,    input.output.history_points, !input.solver.mass_scaling, {}};
 }
 
 model::RunOutcome simulate(const model::Model& model, const SimulationSettings& settings,
