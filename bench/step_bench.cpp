@@ -50,7 +50,7 @@ void whole_step(benchmark::State& benchmark) {
   model.centreline = benchmark.range(0) == 0 ? model::Centreline::chords : model::Centreline::smooth;
   model.test.speed = 20;
   model.test.ramp = 0.1;
-  solve::ExplicitSolver solver(model, {1e4, 0.06, 0.0, 0.9, static_cast<int>(benchmark.range(1))});
+  solve::ExplicitSolver solver(model, {1e4, 0.06, 0.0, 0.9, false, static_cast<int>(benchmark.range(1))});
   const double end = model.test.time_at(0.2);
   while (solver.time() < end) solver.step();
   for ([[maybe_unused]] auto _ : benchmark) solver.step();
