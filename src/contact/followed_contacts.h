@@ -1,7 +1,7 @@
 #pragma once
 
-#include <compare>
 #include <cstdint>
+#include <tuple>
 #include <vector>
 
 #include "contact/contact_points.h"
@@ -61,7 +61,8 @@ struct Strip {
 struct CutPiece {
   std::int32_t piece = 0;
   std::int32_t n = 1;
-  auto operator<=>(const CutPiece&) const = default;
+  bool operator==(const CutPiece&) const = default;
+  bool operator<(const CutPiece& other) const { return std::tie(piece, n) < std::tie(other.piece, other.n); }
 };
 
 /// A strip, and cells of one piece, one after the other, that it may touch.
@@ -70,7 +71,9 @@ struct Touch {
   std::int32_t strip = 0;  ///< which of them
   CutPiece cells{};
   std::int32_t first = 0, last = 0;  ///< which of them
-  auto operator<=>(const Touch&) const = default;
+  bool operator<(const Touch& other) const {
+    return std::tie(strips, strip, cells, first) < std::tie(other.strips, other.strip, other.cells, other.first);
+  }
 };
 
 /// The touches of a pair of pieces, and which of the two is cut into strips.

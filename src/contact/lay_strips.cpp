@@ -178,7 +178,7 @@ class TouchFinder {
       const YarnPlace at = place(piece, (i + 0.5) / strips.n);
       const std::size_t before = touches.size();
       for (int c = 0; c < cells.n; ++c) {
-        const auto p = static_cast<std::size_t>(2 * c);
+        const std::size_t p = 2 * static_cast<std::size_t>(c);
         if (std::min({squared_[p], squared_[p + 1], squared_[p + 2]}) >= reach * reach) continue;
         const YarnPlace there = place(other, (c + 0.5) / cells.n);
         if (too_near(at, there, radii)) continue;
@@ -337,7 +337,7 @@ class Layout {
       const Touch& touch = touches_[i];
       const PointRange& range = cells.of(touch.cells);
       contacts.spans.push_back(
-          {range.block, range.first_point + static_cast<std::size_t>(2 * (touch.first - range.first)),
+          {range.block, range.first_point + 2 * static_cast<std::size_t>(touch.first - range.first),
            static_cast<std::size_t>(touch.last - touch.first + 1), length_of(touch.cells.piece) / touch.cells.n});
     }
     strip.n_spans = to - from;

@@ -43,8 +43,8 @@ class PlacedPoints {
 
  private:
   struct Block {
-    std::int32_t element;
-    std::size_t first, count;
+    std::int32_t element = 0;
+    std::size_t first = 0, count = 0;
     long step = 0;  ///< in which it was brought up to date
   };
   void update(Block& block, const Centreline& line, const model::State& state);
