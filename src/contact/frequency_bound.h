@@ -38,6 +38,8 @@ class FrequencyBound {
   }
 
   [[nodiscard]] double highest() const { return highest_; }
+  /// The sums of all rows [1/s^2], those of the displacements before those of the rotations.
+  [[nodiscard]] const std::vector<double>& rows() const { return row_; }
 
  private:
   struct Entry {

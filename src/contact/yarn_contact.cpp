@@ -127,14 +127,14 @@ std::vector<ContactPoint> YarnContact::points() const {
   return points;
 }
 
-double YarnContact::highest_frequency_squared(const std::vector<double>& mass,
-                                              const std::vector<double>& rotary) const {
+std::vector<double> YarnContact::frequency_rows(const std::vector<double>& mass,
+                                                const std::vector<double>& rotary) const {
   FrequencyBound bound(mass, rotary);
   for (const ContactPoint& point : points()) {
     bound.add({point.first, centreline_.hold(point.first)}, {point.second, centreline_.hold(point.second)},
               std::max(point.tangent, point.stick_stiffness));
   }
-  return bound.highest();
+  return bound.rows();
 }
 
 }  // namespace knitmech::contact

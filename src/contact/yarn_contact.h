@@ -37,9 +37,10 @@ class YarnContact {
   /// Contacts that carry a force, at the last call of add_forces.
   [[nodiscard]] std::vector<ContactPoint> points() const;
   [[nodiscard]] int n_contacts() const { return static_cast<int>(points().size()); }
-  /// Upper bound of the square of the highest frequency that the contacts alone give the nodes, see FrequencyBound.
-  [[nodiscard]] double highest_frequency_squared(const std::vector<double>& mass,
-                                                 const std::vector<double>& rotary) const;
+  /// Row sums of the stiffness of all contacts, scaled with the inertia of the nodes: see FrequencyBound::rows(). The
+  /// largest is an upper bound of the square of the highest frequency that the contacts alone give such nodes.
+  [[nodiscard]] std::vector<double> frequency_rows(const std::vector<double>& mass,
+                                                   const std::vector<double>& rotary) const;
   /// The line that the contact sees, as of the last call of add_forces.
   [[nodiscard]] const Centreline& centreline() const { return centreline_; }
   [[nodiscard]] const std::optional<LostCrossing>& lost_crossing() const { return lost_; }

@@ -39,6 +39,16 @@ inline constexpr double kEnergyBlowUp = 1.5;
 /// one diameter of its length. Below it, a fabric that hardly carries anything yet would trip over rounding.
 inline constexpr double kEnergyNoise = 1e-3;
 
+/// Finest length d of selective mass as a share of the half stitch [-]: the axial frequency of the yarns is that of
+/// elements of this length. Measured on examples/02-wale-tension against lumped masses: with 0.3 and 0.4 the steps are
+/// 2.2 and 2.5 times fewer, and the force differs by at most 0.1 and 0.3 %, to 22 % strain. Waves as long as a stitch
+/// have the inertia of (pi d / 2 l)^2 times their own besides, 0.22 with 0.3; see docs/theory.md, section 10.
+inline constexpr double kSelectiveShare = 0.3;
+
+/// Least of the numbers by which the frequency of contact on selective masses is bounded, as a share of the largest
+/// [-]. Smaller: closer where few nodes touch, and too high where a contact has just begun.
+inline constexpr double kLeastTrial = 0.02;
+
 /// Speed of the grip times the square root of the mass scaling, in units of the speed at which a bent half stitch can
 /// follow (see automatic_mass_scaling()) [-]. Measured on examples/02-wale-tension: after the toe, the kinetic energy
 /// is at most 2.2 % of the internal one; with 0.03 it is 9.9 %, and the work at 22 % strain 1.1 % larger. The number of

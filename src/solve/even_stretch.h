@@ -45,8 +45,20 @@ class EvenStretch {
   void calm(double speed, double rate, double h, const model::State& state, model::NodalLoads& loads);
   [[nodiscard]] double momentum(const model::State& state) const;
 
+  /// (M u)_i of a motion u(i) of all nodes, M the mass with relative masses.
+  template <class Motion>
+  [[nodiscard]] auto inertia_of(std::size_t i, const Motion& u) const {
+    auto sum = mass_of_[i] * u(i);
+    if (relative_.empty()) return sum;
+    if (relative_[i] > 0) sum = sum + relative_[i] * (u(i) - u(i + 1));
+    if (i > 0 && relative_[i - 1] > 0) sum = sum + relative_[i - 1] * (u(i) - u(i - 1));
+    return sum;
+  }
+
   std::vector<double> mass_of_;      ///< m per node [t]
-  std::vector<double> shared_mass_;  ///< m w per node [t]
+  std::vector<double> relative_;     ///< b per element [t]; empty: none
+  std::vector<double> share_;        ///< w per node
+  std::vector<double> shared_mass_;  ///< M w per node [t]
   std::vector<char> gripped_;        ///< per node
   double mass_ = 0;
   double stretched_mass_ = 0;  ///< C [t]

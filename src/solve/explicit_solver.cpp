@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "solve/constants.h"
+#include "solve/contact_frequency.h"
 
 namespace knitmech::solve {
 
@@ -31,20 +32,21 @@ ExplicitSolver::ExplicitSolver(const model::Model& model, const ExplicitSettings
       settings_(settings),
       team_(static_cast<std::size_t>(settings.threads)),
       elements_(beam::make_elements(model, settings.mass_scaling, settings.bulk_viscosity)),
-      inertia_(beam::lump_inertia(elements_, settings.mass_scaling)),
+      inertia_(beam::lump_inertia(elements_, settings.mass_scaling, settings.finest_length)),
       work_(model.nodes.size()),
       nonlinear_(model),
       folds_(elements_),
       contact_(model),
       ties_(model),
       grips_(model),
+      masses_(inertia_, GivenMotion::by_grips(model)),
       pull_(model, inertia_, settings.adapts_pace),
       state_(state_at_rest(model)),
       loads_(model.nodes.size()),
       smallest_radius_(smallest_radius(model)),
       breaks_(model, elements_, settings.mass_scaling),
       pieces_(model) {
-  const double lightest = *std::min_element(inertia_.mass.begin(), inertia_.mass.end());
+  const double lightest = *std::min_element(masses_.felt().begin(), masses_.felt().end());
   first_step_ = stable_step_for(kExpectedContacts * 2 * model.contact_stiffness / (2 * lightest));
   step_in_use_ = first_step_;
 }
@@ -62,7 +64,8 @@ double ExplicitSolver::stable_step_for(double contact_frequency_squared) const {
 void ExplicitSolver::look_at_stable_step() {
   const double speed_squared = largest_speed_squared(state_, team_);
   is_finite_ = !std::isnan(speed_squared);
-  double allowed = stable_step_for(contact_.highest_frequency_squared(inertia_.mass, inertia_.rotary));
+  const auto rows = [&](const auto& mass, const auto& rotary) { return contact_.frequency_rows(mass, rotary); };
+  double allowed = stable_step_for(highest_frequency_squared(rows, inertia_, masses_));
   if (speed_squared > 0) allowed = std::min(allowed, kLargestMove * smallest_radius_ / std::sqrt(speed_squared));
 
   if (allowed < step_in_use_) {
@@ -96,7 +99,7 @@ void ExplicitSolver::step() {
   if (pull_.has_to_look(steps_)) pull_.look(internal_energy(), kinetic_energy(), state_);
   const double speed = pull_.advance(step_, state_, loads_);
   ties_.apply(contact_.centreline(), inertia_, step_, settings_.mass_damping, state_, loads_);
-  grips_.apply(inertia_, step_, settings_.mass_damping, state_, speed, loads_);
+  grips_.apply(inertia_, masses_, step_, settings_.mass_damping, state_, speed, loads_);
   const double h = step_.mean();
   impulse_top_ += h * grips_.force_top();
   impulse_bottom_ += h * grips_.force_bottom();

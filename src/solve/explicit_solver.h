@@ -18,6 +18,7 @@
 #include "solve/grips.h"
 #include "solve/integrate.h"
 #include "solve/pull.h"
+#include "solve/selective_mass.h"
 #include "solve/ties.h"
 #include "solve/yarn_breaks.h"
 
@@ -31,6 +32,7 @@ struct ExplicitSettings {
   double step_factor = 1;     ///< [-]
   bool adapts_pace = false;   ///< of the driven grip, see Pace
   int threads = 1;            ///< the results do not depend on it
+  double finest_length = 0;   ///< [mm], of selective mass, see beam::lump_inertia(); 0: none
 };
 
 /// Steps a model through time by central differences (leapfrog), with beams, contact and grips.
@@ -100,6 +102,7 @@ class ExplicitSolver {
   contact::YarnContact contact_;
   Ties ties_;
   Grips grips_;
+  SelectiveMass masses_;
   Pull pull_;
   model::State state_;
   model::NodalLoads loads_;

@@ -6,6 +6,7 @@
 #include "model/model.h"
 #include "model/state.h"
 #include "solve/integrate.h"
+#include "solve/selective_mass.h"
 
 namespace knitmech::solve {
 
@@ -15,10 +16,11 @@ class Grips {
  public:
   explicit Grips(const model::Model& model);
 
-  /// Replaces the loads on the held and driven nodes by those that give them the prescribed motion in the coming step.
+  /// Replaces the loads on the held and driven nodes by those that give them the prescribed motion in the coming step,
+  /// and all forces by what is left of them where masses are shared: see SelectiveMass::share().
   /// \param speed of the driven grip over the step after [mm/s]
-  void apply(const beam::NodalInertia& inertia, StepLengths step, double mass_damping, const model::State& state,
-             double speed, model::NodalLoads& loads);
+  void apply(const beam::NodalInertia& inertia, const SelectiveMass& masses, StepLengths step, double mass_damping,
+             const model::State& state, double speed, model::NodalLoads& loads);
 
   /// Sets the loads in all held and driven directions to zero.
   void clear_loads(model::NodalLoads& loads) const;
@@ -31,8 +33,12 @@ class Grips {
   [[nodiscard]] double work() const { return work_; }
 
  private:
+  void add_up(const SelectiveMass& masses, double h, const model::State& state, double speed,
+              const model::NodalLoads& loads);
+
   model::TensileTest test_;
   std::vector<int> held_, driven_;
+  std::vector<double> on_held_, on_driven_;  ///< by the fabric, along y, at the last call [N]
   double force_top_ = 0, force_bottom_ = 0, work_ = 0;
 };
 

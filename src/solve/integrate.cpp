@@ -127,13 +127,34 @@ KNITMECH_VECTORISE double energy_pass(const Causes by, const Velocities before, 
   return base::sum_in_lanes(energy.data(), n);
 }
 
+/// The same of the relative masses of n elements.
+KNITMECH_VECTORISE double relative_energy_pass(const Causes by, const Velocities before, const double* relative_mass,
+                                               double share, double time, std::size_t begin, std::size_t n) {
+  std::array<double, base::kBlock> energy;  // NOLINT(cppcoreguidelines-pro-type-member-init): written below
+#pragma GCC ivdep
+  for (std::size_t k = 0; k < n; ++k) {
+    const std::size_t i = begin + k;
+    const Vector3 start = share * before.linear.at(i) + (time / by.mass[i]) * by.force.at(i);
+    const Vector3 end = share * before.linear.at(i + 1) + (time / by.mass[i + 1]) * by.force.at(i + 1);
+    const Vector3 relative = end - start;
+    energy[k] = 0.5 * relative_mass[i] * dot(relative, relative);
+  }
+  return base::sum_in_lanes(energy.data(), n);
+}
+
 double energy_at(const beam::NodalInertia& inertia, const model::NodalLoads& loads, const model::State& state,
                  double share, double time, const base::ThreadTeam& team) {
   const Causes by(inertia, loads);
   const Velocities before(state);
-  return base::sum_over_blocks(team, inertia.mass.size(), [&](std::size_t begin, std::size_t end) {
+  const std::size_t n = inertia.mass.size();
+  const double of_nodes = base::sum_over_blocks(team, n, [&](std::size_t begin, std::size_t end) {
     return energy_pass(by, before, share, time, begin, end - begin);
   });
+  if (inertia.relative_mass.empty()) return of_nodes;
+  const double* relative_mass = inertia.relative_mass.data();
+  return of_nodes + base::sum_over_blocks(team, n - 1, [&](std::size_t begin, std::size_t end) {
+           return relative_energy_pass(by, before, relative_mass, share, time, begin, end - begin);
+         });
 }
 
 KNITMECH_VECTORISE double speed_pass(const Vectors velocity, std::size_t begin, std::size_t end) {

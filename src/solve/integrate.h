@@ -19,6 +19,7 @@ struct StepLengths {
 ///     x+ = x + after v+,   q+ = exp(after w+) q
 ///
 /// and the same for angular velocities, with the rotary inertia. Advances state.time.
+/// \param loads F on nodes that move for themselves; with relative masses m a in place of F, see SelectiveMass
 /// \param mass_damping alpha [1/s]
 void integrate(const beam::NodalInertia& inertia, const model::NodalLoads& loads, StepLengths step, double mass_damping,
                model::State& state, const base::ThreadTeam& team = base::ThreadTeam(1));
@@ -29,7 +30,7 @@ void integrate(const beam::NodalInertia& inertia, const model::NodalLoads& loads
                                        StepLengths step, double mass_damping, const model::State& state,
                                        const base::ThreadTeam& team = base::ThreadTeam(1));
 
-/// Kinetic energy at the time of the positions [mJ]: from v = v- + before / 2 F / m.
+/// Kinetic energy at the time of the positions [mJ]: from v = v- + before / 2 F / m, with that of the relative masses.
 [[nodiscard]] double kinetic_energy(const beam::NodalInertia& inertia, const model::NodalLoads& loads, StepLengths step,
                                     const model::State& state, const base::ThreadTeam& team = base::ThreadTeam(1));
 

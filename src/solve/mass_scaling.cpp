@@ -14,6 +14,11 @@ double automatic_mass_scaling(const model::Model& model) {
   return std::max(1.0, std::pow(kQuasiStaticSpeed * bending_speed / model.test.speed, 2));
 }
 
+double selective_length(const model::Model& model) {
+  if (!model.ties.empty() || !model.strengths.empty()) return 0;
+  return kSelectiveShare * model.half_stitch_length;
+}
+
 bool adapts_pace(const model::Case& input, double mass_scaling) {
   return !input.solver.mass_scaling && mass_scaling > 1;
 }

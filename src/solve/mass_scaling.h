@@ -18,6 +18,10 @@ namespace knitmech::solve {
 /// is judged after the run, from its energies and forces, whatever the scaling was.
 [[nodiscard]] double automatic_mass_scaling(const model::Model& model);
 
+/// Finest length of the selective mass of a model [mm], see beam::lump_inertia(): kSelectiveShare of a half stitch; 0,
+/// none, where yarns are tied or can break: the forces of ties and what a break leaves behind stand on lumped masses.
+[[nodiscard]] double selective_length(const model::Model& model);
+
 /// Whether the speed of the grip is adapted while a case runs (see Pace): if the program chooses the mass, and unless
 /// the test is so fast that masses are not scaled, which is then meant.
 [[nodiscard]] bool adapts_pace(const model::Case& input, double mass_scaling);

@@ -96,7 +96,8 @@ class Run {
         mass_scaling_(settings.mass_scaling ? *settings.mass_scaling : automatic_mass_scaling(model)),
         threads_(settings.threads ? *settings.threads : automatic_threads(model)),
         solver_(model, {mass_scaling_, settings.bulk_viscosity, settings.mass_damping, settings.step_factor,
-                        settings.adapts_pace && mass_scaling_ > 1, threads_}) {}
+                        settings.adapts_pace && mass_scaling_ > 1, threads_,
+                        settings.selective_mass && mass_scaling_ > 1 ? selective_length(model) : 0}) {}
 
   model::RunOutcome run() {
     const auto start = std::chrono::steady_clock::now();
@@ -196,7 +197,8 @@ class Run {
 
 SimulationSettings settings_from(const model::Case& input) {
   return {input.solver.mass_scaling, input.solver.bulk_viscosity, input.solver.mass_damping,  input.solver.step_factor,
-          input.output.frames_at,    input.output.history_points, !input.solver.mass_scaling, {}};
+          input.output.frames_at,    input.output.history_points, !input.solver.mass_scaling, {},
+          !input.solver.mass_scaling};
 }
 
 model::RunOutcome simulate(const model::Model& model, const SimulationSettings& settings,

@@ -21,6 +21,7 @@ struct SimulationSettings {
   int history_points = 1000;      ///< history rows over the test, besides the one at the start
   bool adapts_pace = false;       ///< of the driven grip, see Pace; never where masses are not scaled
   std::optional<int> threads;     ///< empty: see automatic_threads(). The results are the same to the last bit
+  bool selective_mass = false;    ///< see selective_length()
 };
 
 [[nodiscard]] SimulationSettings settings_from(const model::Case& input);

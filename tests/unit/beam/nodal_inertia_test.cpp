@@ -43,13 +43,22 @@ double highest_eigenvalue(const model::Model& model, const beam::Elements& eleme
     }
     stiffness.col(column) = difference / (2 * h);
   }
-  Eigen::VectorXd scale(6 * n);
+  Eigen::MatrixXd mass = Eigen::MatrixXd::Zero(6 * n, 6 * n);
   for (Eigen::Index i = 0; i < n; ++i) {
-    scale.segment<3>(6 * i).setConstant(1 / std::sqrt(inertia.mass[static_cast<std::size_t>(i)]));
-    scale.segment<3>(6 * i + 3).setConstant(1 / std::sqrt(inertia.rotary[static_cast<std::size_t>(i)]));
+    mass.diagonal().segment<3>(6 * i).array() += inertia.mass[static_cast<std::size_t>(i)];
+    mass.diagonal().segment<3>(6 * i + 3).setConstant(inertia.rotary[static_cast<std::size_t>(i)]);
+    const double relative = inertia.relative_mass_at(static_cast<std::size_t>(i));
+    if (relative == 0) continue;
+    for (Eigen::Index k = 6 * i; k < 6 * i + 3; ++k) {
+      mass(k, k) += relative;
+      mass(k + 6, k + 6) += relative;
+      mass(k, k + 6) = mass(k + 6, k) = -relative;
+    }
   }
-  const Eigen::MatrixXd dynamic = scale.asDiagonal() * (0.5 * (stiffness + stiffness.transpose())) * scale.asDiagonal();
-  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(dynamic, Eigen::EigenvaluesOnly).eigenvalues().maxCoeff();
+  return Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd>(0.5 * (stiffness + stiffness.transpose()), mass,
+                                                                   Eigen::EigenvaluesOnly)
+      .eigenvalues()
+      .maxCoeff();
 }
 
 std::vector<Eigen::Vector3d> arc(double radius, double length, int n_elements) {
@@ -71,6 +80,34 @@ TEST(NodalInertia, GivenMeshesFromSlenderToStout_ThenTheBoundHoldsAndIsTight) {
     EXPECT_LE(highest, inertia.highest_frequency_squared * (1 + 1e-5)) << "element " << element;
     EXPECT_GE(highest, inertia.highest_frequency_squared * 0.6) << "element " << element;
   }
+}
+
+TEST(NodalInertia, GivenAFinestLength_ThenTheFrequencyIsTheSameForEveryMeshFinerThanItAndTheBoundHolds) {
+  const double finest = 0.6;
+  for (const double element : {0.4, 0.2, 0.1}) {
+    const model::Model model = test::yarns_through({test::straight({0, 0, 0}, {8 * element, 0, 0}, 8)},
+                                                   test::section(19.2265, 6.17, 0.0173039, 0.0124488, 1.29e-11));
+    const beam::Elements elements = beam::make_elements(model, 1.0, 0.0);
+    const beam::NodalInertia inertia = beam::lump_inertia(elements, 1.0, finest);
+    // As of a chain of lumped masses with elements of that length: w = 2 c / d.
+    const double of_chain = 4 * 19.2265 / (1.29e-11 * finest * finest);
+    EXPECT_NEAR(inertia.highest_frequency_squared, of_chain, 1e-9 * of_chain) << "element " << element;
+    const double highest = highest_eigenvalue(model, elements, inertia);
+    EXPECT_LE(highest, of_chain * (1 + 1e-5)) << "element " << element;
+    EXPECT_GE(highest, of_chain * 0.9) << "element " << element;
+    EXPECT_NEAR(std::accumulate(inertia.mass.begin(), inertia.mass.end(), 0.0), 8 * element * 1.29e-11, 1e-20);
+  }
+}
+
+TEST(NodalInertia, GivenAFinestLengthBelowThatOfTheElements_ThenThereIsNoRelativeMass) {
+  const model::Model model =
+      test::yarns_through({test::straight({0, 0, 0}, {2, 0, 0}, 5)}, test::section(19.0, 6.1, 0.0173, 0.0124, 1.3e-11));
+  const beam::Elements elements = beam::make_elements(model, 1.0, 0.0);
+  const beam::NodalInertia inertia = beam::lump_inertia(elements, 1e4, 0.3);
+  const beam::NodalInertia lumped = beam::lump_inertia(elements, 1e4);
+  for (const double relative : inertia.relative_mass) EXPECT_EQ(relative, 0);
+  EXPECT_EQ(inertia.rotary, lumped.rotary);
+  EXPECT_EQ(inertia.highest_frequency_squared, lumped.highest_frequency_squared);
 }
 
 TEST(NodalInertia, GivenAYarn_ThenItsMassIsKeptAndScaled) {

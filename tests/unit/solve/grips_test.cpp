@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+#include <vector>
+
 #include "../../support/beam_case.h"
 
 namespace knitmech {
@@ -23,11 +26,17 @@ model::Model pulled_yarn(model::Grips grips) {
 
 struct Bench {
   model::Model model;
-  beam::NodalInertia inertia{{1e-6, 2e-6, 1e-6}, {1e-8, 1e-8, 1e-8}, 0};
+  beam::NodalInertia inertia;
   model::State state;
   solve::Grips grips;
+  solve::SelectiveMass masses;
 
-  explicit Bench(model::Grips kind) : model(pulled_yarn(kind)), state(test::state_of(model)), grips(model) {}
+  explicit Bench(model::Grips kind, std::vector<double> relative_mass = {})
+      : model(pulled_yarn(kind)),
+        inertia{{1e-6, 2e-6, 1e-6}, {1e-8, 1e-8, 1e-8}, 0, std::move(relative_mass)},
+        state(test::state_of(model)),
+        grips(model),
+        masses(inertia, solve::GivenMotion::by_grips(model)) {}
 
   /// One step under loads that the fabric puts on the grips.
   void step(double h, Vector3 on_held, Vector3 on_driven) {
@@ -36,7 +45,7 @@ struct Bench {
     loads.force.set(2, on_driven);
     loads.moment.set(2, {1, 2, 3});
     const double speed = (model.test.displacement(state.time + h) - model.test.displacement(state.time)) / h;
-    grips.apply(inertia, {h, h}, 0.0, state, speed, loads);
+    grips.apply(inertia, masses, {h, h}, 0.0, state, speed, loads);
     solve::integrate(inertia, loads, {h, h}, 0.0, state);
   }
 };
@@ -67,6 +76,31 @@ TEST(Grips, GivenASteadyPullOfTheFabric_ThenBothGripsReportItAndTheWorkIsForceTi
   const double kinetic = 0.5 * 1e-6 * 25;         // the grip moves a mass too
   const double half_a_step = 0.5 * 3 * 5 * 1e-4;  // work reaches to the last velocity, half a step behind
   EXPECT_NEAR(bench.grips.work() + half_a_step, 3 * bench.model.test.displacement(bench.state.time) + kinetic, 1e-6);
+}
+
+TEST(Grips, GivenRelativeMasses_ThenCourseAndWorkAreExactAndBothGripsTogetherAreTheRateOfTheMomentum) {
+  Bench bench(model::Grips::clamped, {3e-6, 5e-6, 0});
+  const auto momentum = [&] {
+    double sum = 0;
+    for (std::size_t i = 0; i < 3; ++i) sum += bench.inertia.mass[i] * bench.state.velocity.y[i];
+    return sum;
+  };
+  const auto kinetic = [&] { return solve::kinetic_energy(bench.inertia, model::NodalLoads(3), {}, bench.state); };
+  for (int i = 0; i < 300; ++i) {
+    const double before = momentum();
+    const double h = 1e-4 * (1 + i % 3);
+    bench.step(h, {1, 2, 3}, {-4, -5 + 0.1 * i, 6});
+    const double from_fabric = 2 - 5 + 0.1 * i;
+    EXPECT_NEAR(bench.grips.force_top() - bench.grips.force_bottom() + from_fabric, (momentum() - before) / h, 1e-9);
+    EXPECT_NEAR(bench.state.position.y[2] - 2, bench.model.test.displacement(bench.state.time), 1e-13);
+  }
+  EXPECT_NEAR(test::vector_at(bench.state.position, 0).norm(), 0.0, 1e-15);
+  EXPECT_GT(bench.state.velocity.y[1], 0);  // dragged along by its neighbour alone
+  // Without loads of the fabric, all work of the grip is kinetic energy.
+  Bench unloaded(model::Grips::clamped, {3e-6, 5e-6, 0});
+  for (int i = 0; i < 300; ++i) unloaded.step(1e-4, {0, 0, 0}, {0, 0, 0});
+  bench = std::move(unloaded);
+  EXPECT_NEAR(bench.grips.work(), kinetic(), 1e-9 * kinetic());
 }
 
 TEST(Grips, GivenLoadsOnGrips_ThenClearingThemLeavesOnlyTheFreeNodes) {

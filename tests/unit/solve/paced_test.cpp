@@ -45,10 +45,11 @@ model::Model small_fabric() {
 }
 
 /// \param slower than the pace that the program starts from
-Simulation run(const model::Model& model, bool adapts_pace, double slower = 1) {
+Simulation run(const model::Model& model, bool adapts_pace, double slower = 1, bool selective_mass = false) {
   solve::SimulationSettings settings;
   settings.mass_scaling = solve::automatic_mass_scaling(model) / (slower * slower);
   settings.adapts_pace = adapts_pace;
+  settings.selective_mass = selective_mass;
   settings.history_points = kRows;
   settings.frames_at = {0.08};
   Simulation run;
@@ -73,6 +74,30 @@ TEST(AdaptedPace, GivenASmallFabric_ThenItIsFasterThanTheConstantSpeedAndTheCurv
   EXPECT_NEAR(paced.rows.back().friction_loss, slow.rows.back().friction_loss, 0.03 * slow.rows.back().friction_loss);
   const results::Quality quality = results::assess_quality(paced.rows, paced.outcome, 0.12);
   EXPECT_TRUE(quality.quasi_static) << quality.verdict;
+}
+
+TEST(SelectiveMass, GivenTheSamePace_ThenStepsAreLongerTheCurveIsThatOfLumpedMassesAndTheEnergyBalances) {
+  const model::Model model = small_fabric();
+  const Simulation lumped = run(model, false);
+  const Simulation selective = run(model, false, 1, true);
+  EXPECT_LT(selective.outcome.steps, 0.6 * static_cast<double>(lumped.outcome.steps));
+  for (const double strain : {0.1, 0.12, 0.14}) {
+    EXPECT_NEAR(selective.force_at(strain), lumped.force_at(strain), 0.01 * lumped.force_at(strain)) << strain;
+  }
+  const model::HistoryRow& last = selective.rows.back();
+  EXPECT_NEAR(last.external_work, lumped.rows.back().external_work, 0.01 * last.external_work);
+  const results::Quality quality = results::assess_quality(selective.rows, selective.outcome, 0.12);
+  EXPECT_LT(*quality.energy_balance, 2e-3);
+}
+
+TEST(SelectiveMass, GivenTiesOrStrengths_ThenMassesStayLumped) {
+  model::Model model = small_fabric();
+  EXPECT_GT(solve::selective_length(model), 0);
+  model.strengths[0] = 1;
+  EXPECT_EQ(solve::selective_length(model), 0);
+  model.strengths.clear();
+  model.ties.push_back({});
+  EXPECT_EQ(solve::selective_length(model), 0);
 }
 
 TEST(AdaptedPace, GivenItsChangingSpeed_ThenRowsAndFramesAreEvenInStrainAndTimeIsTheSimulated) {
