@@ -27,6 +27,7 @@ constexpr const char* kExamples =
     "  knitmech new jersey.toml               write a commented case file\n"
     "  knitmech check jersey.toml             see what would be run\n"
     "  knitmech run jersey.toml               simulate; leaves results/jersey\n"
+    "  knitmech run --resume results/jersey   go on with a run that was interrupted\n"
     "  knitmech export jersey.toml -f abaqus -o jersey.inp\n"
     "  knitmech yarn tensile.csv --diameter \"0.12 mm\" --density \"1140 kg/m^3\"\n"
     "  knitmech parameters                    every key of a case file\n"
@@ -62,10 +63,13 @@ void add_check(CLI::App& app, Action& action) {
 void add_run(CLI::App& app, Action& action) {
   auto options = std::make_shared<RunOptions>();
   CLI::App& command = *app.add_subcommand("run", "Simulate the test of a case and leave a folder of results");
-  command.add_option("CASE", options->case_file, "Case file")->required();
-  command.add_option("-o,--output", options->folder,
-                     "Folder for the results (default: results/ and the name of CASE, or of its folder if it is called "
-                     "case.toml); an earlier run in it is replaced");
+  CLI::Option* const new_case = command.add_option("CASE", options->case_file, "Case file");
+  CLI::Option* const folder = command.add_option(
+      "-o,--output", options->folder,
+      "Folder for the results (default: results/ and the name of CASE, or of its folder if it is called "
+      "case.toml); an earlier run in it is replaced");
+  command.add_option("--resume", options->resume, "Go on with the run in this folder from its last checkpoint")
+      ->excludes(new_case, folder);
   command.add_flag("--quiet", options->quiet, "Write nothing but errors");
   command.add_flag("--json", options->json, "Write the outcome as JSON, for scripts, and nothing else");
   command.add_flag_callback(
@@ -75,8 +79,13 @@ void add_run(CLI::App& app, Action& action) {
                   "Threads of the solver (default: one per processor, or fewer where the fabric is too small to keep "
                   "them busy); the results are the same for any number")
       ->check(CLI::Range(1, kMostThreads));
-  command.footer("Ctrl-C ends the run and keeps what was computed; a second one ends the program at once.");
-  on_parse(command, action, options);
+  command.footer(
+      "Ctrl-C ends the run and keeps what was computed, and --resume goes on from there; a second one ends the program "
+      "at once.");
+  command.callback([&action, options] {
+    if (options->case_file.empty() && options->resume.empty()) throw CLI::RequiredError("CASE");
+    action = [options] { return run_command(*options); };
+  });
 }
 
 void add_export(CLI::App& app, Action& action) {

@@ -3,18 +3,19 @@
 #include <cstdio>
 #include <filesystem>
 #include <optional>
-#include <system_error>
+#include <string>
+#include <utility>
 
 #include "app/commands.h"
 #include "app/interrupt.h"
 #include "app/json_text.h"
-#include "app/load_case.h"
 #include "app/progress.h"
 #include "app/run_pictures.h"
+#include "app/run_start.h"
 #include "app/run_texts.h"
-#include "model/case_file.h"
 #include "model/facts.h"
 #include "results/atomic_file.h"
+#include "results/checkpoint_writer.h"
 #include "results/quality.h"
 #include "results/run_folder.h"
 #include "solve/mass_scaling.h"
@@ -26,14 +27,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// results/jersey for some/where/jersey.toml; results/where for some/where/case.toml.
-fs::path default_folder(const fs::path& case_file) {
-  const fs::path whole = fs::absolute(case_file).lexically_normal();
-  const bool named_by_folder = whole.filename() == "case.toml" && whole.parent_path().has_filename();
-  const fs::path name = named_by_folder ? whole.parent_path().filename() : whole.stem();
-  return "results" / name;
-}
-
 solve::SimulationSettings resolved_settings(const LoadedCase& loaded, std::optional<int> threads) {
   solve::SimulationSettings settings = solve::settings_from(loaded.input);
   if (!settings.mass_scaling) settings.mass_scaling = solve::automatic_mass_scaling(loaded.model);
@@ -41,10 +34,11 @@ solve::SimulationSettings resolved_settings(const LoadedCase& loaded, std::optio
   return settings;
 }
 
-/// The simulation of a model with everything that listens to it.
-model::RunOutcome simulate_into(results::RunFolder& folder, RunPictures& pictures, Progress& progress,
-                                const model::Model& model, const solve::SimulationSettings& settings) {
+/// The simulation of a case with everything that listens to it.
+model::RunOutcome simulate_into(results::RunFolder& folder, RunPictures& pictures, Progress& progress, RunStart& start,
+                                const solve::SimulationSettings& settings) {
   const InterruptWatch watch;
+  results::CheckpointWriter writer(folder.path(), start.loaded.input.output.checkpoint_every);
   solve::SimulationCallbacks callbacks;
   callbacks.on_history = [&](const model::HistoryRow& row) {
     folder.add_history(row);
@@ -55,11 +49,22 @@ model::RunOutcome simulate_into(results::RunFolder& folder, RunPictures& picture
     pictures.add_frame(frame);
   };
   callbacks.keep_going = [](const model::HistoryRow&) { return !InterruptWatch::requested(); };
-  model::RunOutcome outcome = solve::simulate(model, settings, callbacks);
+  callbacks.wants_checkpoint = [&] { return writer.is_due(); };
+  callbacks.on_checkpoint = [&](const std::string& solver) {
+    writer.write({start.case_text, folder.record(), solver}, pictures.take_drawing());
+  };
+  std::string checkpoint = start.checkpoint ? std::exchange(start.checkpoint->solver, {}) : "";
+  model::RunOutcome outcome = solve::simulate(start.loaded.model, settings, callbacks, std::move(checkpoint));
   progress.finish();
+  writer.wait();
   folder.finish(outcome);
   pictures.finish(folder.history());
   return outcome;
+}
+
+results::RunFolder open_folder(const RunStart& start) {
+  if (start.checkpoint) return {start.folder, start.checkpoint->record, start.loaded.model};
+  return {start.folder, start.case_text, start.loaded.model};
 }
 
 std::string paths_text(const fs::path& folder, bool pictures) {
@@ -72,7 +77,8 @@ std::string paths_text(const fs::path& folder, bool pictures) {
 void report_early_end(const model::RunOutcome& outcome, const fs::path& folder) {
   const std::string kept = fmt::format("what was computed is kept in {}", folder.string());
   if (outcome.status == model::RunStatus::interrupted) {
-    fmt::print(stderr, "knitmech: interrupted at {} strain; {}\n", percent_text(outcome.strain), kept);
+    fmt::print(stderr, "knitmech: interrupted at {} strain; {}; to go on: knitmech run --resume {}\n",
+               percent_text(outcome.strain), kept, folder.string());
   } else {
     fmt::print(stderr, "knitmech: error: {} {} {}\n", outcome.reason, outcome.advice, "W" + kept.substr(1) + ".");
   }
@@ -81,21 +87,21 @@ void report_early_end(const model::RunOutcome& outcome, const fs::path& folder) 
 }  // namespace
 
 ExitCode run_command(const RunOptions& options) {
-  const LoadedCase loaded = load_case(options.case_file);
-  const model::Model& model = loaded.model;
-  const solve::SimulationSettings settings = resolved_settings(loaded, options.threads);
-  const fs::path folder = options.folder.empty() ? default_folder(options.case_file) : fs::path(options.folder);
+  RunStart start = options.resume.empty() ? new_run(options.case_file, options.folder) : earlier_run(options.resume);
+  const model::Model& model = start.loaded.model;
+  const solve::SimulationSettings settings = resolved_settings(start.loaded, options.threads);
+  const fs::path& folder = start.folder;
   const bool talks = !options.quiet && !options.json;
 
   if (talks) {
-    const model::FabricFacts facts = model::describe(loaded.input, model);
-    fmt::print("{}", run_head_text(loaded, facts, *settings.mass_scaling, *settings.threads, folder));
+    const model::FabricFacts facts = model::describe(start.loaded.input, model);
+    fmt::print("{}", run_head_text(start.loaded, facts, *settings.mass_scaling, *settings.threads, folder, start.resumed_at()));
     std::fflush(stdout);
   }
-  results::RunFolder results(folder, model::write_case(loaded.input), model);
+  results::RunFolder results = open_folder(start);
   RunPictures pictures(results, model, options.pictures);
-  Progress progress(model.test, talks);
-  const model::RunOutcome outcome = simulate_into(results, pictures, progress, model, settings);
+  Progress progress(model.test, start.resumed_at().value_or(0), talks);
+  const model::RunOutcome outcome = simulate_into(results, pictures, progress, start, settings);
 
   const auto quality = results::assess_quality(results.history(), outcome, model.sections.front().diameter);
   if (talks) {

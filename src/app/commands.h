@@ -26,6 +26,7 @@ struct CheckOptions {
 struct RunOptions {
   std::string case_file;
   std::string folder;  ///< empty: results/<name of the case>
+  std::string resume;  ///< folder of a run to go on with, in place of case_file and folder; empty: a new run
   bool quiet = false;
   bool json = false;
   bool pictures = true;

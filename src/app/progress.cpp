@@ -23,14 +23,14 @@ std::string bar(double share) {
 
 }  // namespace
 
-Progress::Progress(const model::TensileTest& test, bool shown)
+Progress::Progress(const model::TensileTest& test, double strain, bool shown)
     : strain_(test.strain),
       shown_(shown),
       on_terminal_(isatty(STDOUT_FILENO) == 1),
       start_(Clock::now()),
       drawn_(start_),
-      mark_{0, start_},
-      earlier_mark_{0, start_} {}
+      mark_{strain / test.strain, start_},
+      earlier_mark_(mark_) {}
 
 void Progress::update(const model::HistoryRow& row) {
   if (!shown_) return;
@@ -68,7 +68,8 @@ double Progress::time_left(double share) const {
 }
 
 std::string Progress::line(const model::HistoryRow& row, double share) const {
-  const std::string left = share > 0 ? fmt::format("  time left {}", duration_text(time_left(share))) : "";
+  const std::string left =
+      share > earlier_mark_.share ? fmt::format("  time left {}", duration_text(time_left(share))) : "";
   return fmt::format(" {:3.0f} %  strain {}  force {}{}", 100 * share, percent_text(row.strain),
                      force_text(row.force_top), left);
 }

@@ -12,7 +12,8 @@ namespace knitmech::app {
 /// every 10 % of the test.
 class Progress {
  public:
-  Progress(const model::TensileTest& test, bool shown);
+  /// \param strain at which the run begins [-]; not 0 where it goes on with an earlier one
+  Progress(const model::TensileTest& test, double strain, bool shown);
 
   void update(const model::HistoryRow& row);
 

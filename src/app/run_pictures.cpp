@@ -4,6 +4,7 @@
 
 #include <string>
 #include <system_error>
+#include <utility>
 
 #include "app/run_texts.h"
 #include "base/errors.h"
@@ -21,9 +22,10 @@ std::string frame_name(int index) {
   return fmt::format("frame_{:04}.png", index);
 }
 
-void remove_older_pictures(const fs::path& folder) {
+/// \param n_frames that the run has already
+void remove_older_pictures(const fs::path& folder, int n_frames) {
   fs::remove(folder / kCurveFile);
-  for (int i = 0; fs::remove(folder / frame_name(i)); ++i) continue;
+  for (int i = n_frames; fs::remove(folder / frame_name(i)); ++i) continue;
   if (fs::is_directory(folder) && fs::is_empty(folder)) fs::remove(folder);
 }
 
@@ -32,7 +34,7 @@ void remove_older_pictures(const fs::path& folder) {
 RunPictures::RunPictures(results::RunFolder& folder, const model::Model& model, bool wanted)
     : run_(folder), model_(model), wanted_(wanted), folder_(folder.path() / "pictures") {
   try {
-    remove_older_pictures(folder_);
+    remove_older_pictures(folder_, static_cast<int>(folder.record().frames.size()));
     if (wanted_) fs::create_directories(folder_);
   } catch (const fs::filesystem_error& error) {
     throw FileError(fmt::format("cannot write the folder {}: {}", folder_.string(), error.code().message()));
@@ -57,7 +59,15 @@ void RunPictures::draw(const model::Frame& frame) {
 void RunPictures::finish(const std::vector<model::HistoryRow>& history) {
   if (!wanted_) return;
   picture::write_force_strain_chart(folder_ / kCurveFile, history, model_.title);
-  for (const model::Frame& frame : frames_) draw(frame);
+  draw(frames_);
+}
+
+void RunPictures::draw(const std::vector<model::Frame>& frames) {
+  for (const model::Frame& frame : frames) draw(frame);
+}
+
+std::function<void()> RunPictures::take_drawing() {
+  return [this, frames = std::exchange(frames_, {})] { draw(frames); };
 }
 
 }  // namespace knitmech::app

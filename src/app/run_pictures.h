@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <vector>
 
 #include "model/frame.h"
@@ -12,18 +13,24 @@ namespace knitmech::app {
 /// The pictures of a run, in the folder pictures/ of its run folder: frame_0000.png and so on, and force-strain.svg.
 class RunPictures {
  public:
-  /// Takes away the pictures of an earlier run, also if no new ones are wanted.
+  /// Takes away the pictures of an earlier run, also if no new ones are wanted; those of frames that the folder has
+  /// already stay where a run goes on.
   /// @throws FileError if the folder cannot be written
   RunPictures(results::RunFolder& folder, const model::Model& model, bool wanted);
 
   /// Keeps a frame; pictures take longer than many steps, so they are drawn when the simulation is over.
   void add_frame(const model::Frame& frame);
 
-  /// Draws the frames and the force-strain curve. A frame that cannot be drawn, because a run has failed and its yarns
-  /// are scattered, is noted in the log of the run instead.
+  /// The drawing of all frames kept so far, to be done on any thread, but not after this object or during finish().
+  /// They are not kept any longer.
+  [[nodiscard]] std::function<void()> take_drawing();
+
+  /// Draws the frames that are left and the force-strain curve. A frame that cannot be drawn, because a run has failed
+  /// and its yarns are scattered, is noted in the log of the run instead.
   void finish(const std::vector<model::HistoryRow>& history);
 
  private:
+  void draw(const std::vector<model::Frame>& frames);
   void draw(const model::Frame& frame);
 
   results::RunFolder& run_;

@@ -149,7 +149,7 @@ std::string check_text(const LoadedCase& loaded, const model::FabricFacts& facts
 }
 
 std::string run_head_text(const LoadedCase& loaded, const model::FabricFacts& facts, double mass_scaling, int threads,
-                          const std::filesystem::path& folder) {
+                          const std::filesystem::path& folder, std::optional<double> resumed_at) {
   std::string text = loaded.model.title + "\n";
   const auto add = [&](const char* name, const std::string& value) { text += fmt::format("  {:14}{}\n", name, value); };
   add("fabric", fabric_text(loaded.input.fabric));
@@ -163,8 +163,13 @@ std::string run_head_text(const LoadedCase& loaded, const model::FabricFacts& fa
   add("test", test_text(loaded.model.test, solve::adapts_pace(loaded.input, mass_scaling)));
   add("mass scaling", mass_scaling_text(loaded.input, mass_scaling));
   add("threads", std::to_string(threads));
-  const bool replaces = std::filesystem::exists(folder / "summary.json");
-  add("results", folder.string() + (replaces ? " (replaces the run that is there)" : ""));
+  std::string note;
+  if (resumed_at) {
+    note = fmt::format(" (goes on from {} strain)", percent_text(*resumed_at));
+  } else if (std::filesystem::exists(folder / "summary.json")) {
+    note = " (replaces the run that is there)";
+  }
+  add("results", folder.string() + note);
   return text;
 }
 

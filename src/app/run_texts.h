@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "app/load_case.h"
@@ -23,9 +24,9 @@ namespace knitmech::app {
 /// What `check` prints: the loop, the fabric, the mesh, the least gap, the yarn, the test.
 [[nodiscard]] std::string check_text(const LoadedCase& loaded, const model::FabricFacts& facts, double mass_scaling);
 
-/// What `run` prints before it begins.
+/// What `run` prints before it begins. \param resumed_at strain of a run that goes on; empty for a new one
 [[nodiscard]] std::string run_head_text(const LoadedCase& loaded, const model::FabricFacts& facts, double mass_scaling,
-                                        int threads, const std::filesystem::path& folder);
+                                        int threads, const std::filesystem::path& folder, std::optional<double> resumed_at);
 
 /// What `run` prints of a run that has ended, as it should or not.
 [[nodiscard]] std::string run_end_text(const model::Model& model, const model::RunOutcome& outcome,

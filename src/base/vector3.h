@@ -9,6 +9,11 @@ namespace knitmech {
 /// A vector that lives in registers, for hot loops; every operation is inlined so that such loops vectorise.
 struct Vector3 {
   double x, y, z;
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(x, y, z);
+  }
 };
 KNITMECH_INLINE Vector3 operator+(Vector3 a, Vector3 b) {
   return {a.x + b.x, a.y + b.y, a.z + b.z};

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "base/left_out.h"
 #include "base/thread_team.h"
 #include "beam/elements.h"
 #include "model/state.h"
@@ -34,6 +35,11 @@ class FoldLimit {
   void remove(std::size_t element);
   /// At the last call of add_moments [mJ].
   [[nodiscard]] double energy() const { return energy_; }
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(base::left_out(soft_, energy_of_block_, energy_of_last_), energy_);
+  }
 
  private:
   struct SoftElement {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/left_out.h"
 #include "base/thread_team.h"
 #include "beam/elements.h"
 #include "model/state.h"
@@ -14,6 +15,11 @@ struct ElementWork {
   model::NodalLoads on_next_block;
 
   explicit ElementWork(std::size_t n_nodes);
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(approach, damping_loss, base::left_out(on_next_block));
+  }
 };
 
 /// Sets `loads` to the forces and moments of all elements (element.h) and of their bulk viscosity on the nodes.

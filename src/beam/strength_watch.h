@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "base/left_out.h"
 #include "base/thread_team.h"
 #include "beam/elements.h"
 #include "model/model.h"
@@ -27,6 +28,11 @@ class StrengthWatch {
 
   /// Forgets an element, which has broken.
   void remove(std::size_t element) { inverse_limit_squared_[element] = 0; }
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(base::left_out(is_needed_), inverse_limit_squared_);
+  }
 
  private:
   bool is_needed_ = false;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/left_out.h"
 #include "contact/contact_elements.h"
 #include "contact/element_line.h"
 #include "contact/motion.h"
@@ -82,6 +83,13 @@ class Centreline {
     loads.force.add(i + 1, ends.end_force);
     loads.moment.add(i, ends.start_moment);
     loads.moment.add(i + 1, ends.end_moment);
+  }
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(base::left_out(smooth_, length_, reach_of_turn_, stress_free_tangent_, stress_free_bow_after_,
+                           stress_free_bow_before_),
+            tangent_, bow_after_, bow_before_, rotation_, node_position_, moved_);
   }
 
  private:

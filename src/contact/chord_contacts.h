@@ -13,6 +13,11 @@ namespace knitmech::contact {
 struct ChordContact {
   std::uint64_t key = 0;  ///< see chord_key()
   ContactPoint point;
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(key, point);
+  }
 };
 
 /// Orders the contacts of chords and finds them again in the next step.
@@ -24,6 +29,11 @@ inline std::uint64_t chord_key(std::int32_t first, std::int32_t second) {
 struct NearChords {
   ElementPair pair{};
   double wake = 0;  ///< motion of both elements since the last search before which they cannot touch [mm]
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(pair, wake);
+  }
 };
 
 /// Looks at all pairs that are awake, and lists those that are near enough to touch soon (kFollowed in constants.h).

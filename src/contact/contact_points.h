@@ -24,12 +24,22 @@ struct ContactPoint {
   }
   /// Friction force on the second yarn [N].
   [[nodiscard]] Vector3 friction_force() const { return -stick_stiffness * stick.elastic_slip; }
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(first, second, normal, penetration, load, tangent, energy, stick_stiffness, stick);
+  }
 };
 
 /// Two yarns that went through each other: the direction from one to the other turned round within a step.
 struct LostCrossing {
   std::int32_t first, second;  ///< elements
   Vector3 place;               ///< [mm]
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(first, second, place);
+  }
 };
 
 }  // namespace knitmech::contact

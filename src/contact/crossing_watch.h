@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/left_out.h"
 #include "contact/contact_elements.h"
 #include "contact/gauss_integral.h"
 #include "contact/neighbour_search.h"
@@ -49,6 +50,11 @@ class CrossingWatch {
   /// moved against each other, so by 0.4 D if the next call comes before a node has moved 0.2 D; and the pairs of a
   /// crossing, nearer than about 1.4 D (find_neighbours), for the yarn ends
   CrossingReport update(const model::VectorArray& position, const std::vector<ElementPair>& pairs);
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(base::left_out(elements_, counted_, offset_), position_, pairs_, distance_, ends_);
+  }
 
  private:
   /// The part of a piece that counts, as shares of the way along it; nothing if it ends before it starts.

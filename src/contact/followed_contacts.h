@@ -20,6 +20,11 @@ struct ContactState {
   double energy = 0;           ///< stored in the normal law [mJ]
   double stick_stiffness = 0;  ///< [N/mm]
   SlipMemory stick = {};
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(penetration, load, tangent, energy, stick_stiffness, stick);
+  }
 };
 
 /// A pair of places where two yarns come closest, followed from step to step.
@@ -32,6 +37,11 @@ struct Crossing {
   double first_reach = 0;   ///< how far the overlap may reach along the first yarn from here [mm]
   double second_reach = 0;  ///< along the second
   ContactState now = {};
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(first, second, gap, is_minimum, wake, is_short, first_reach, second_reach, now);
+  }
 };
 
 /// Cells of the other yarn that a strip sees: stretches of equal length that follow each other on one element, each
@@ -41,6 +51,11 @@ struct CellSpan {
   std::size_t first_point = 0;  ///< in it; cells share the points between them
   std::size_t n_cells = 0;
   double cell_length = 0;  ///< along the stress-free yarn [mm]
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(block, first_point, n_cells, cell_length);
+  }
 };
 
 /// A short length of a yarn in a long overlap, and the cells of the other yarn that are near it. Both stay where they
@@ -55,6 +70,11 @@ struct Strip {
   double length = 0;      ///< stress-free, of the strip [mm]
   double wake = 0;        ///< motion of both elements since the last search before which no force can be here [mm]
   ContactState now = {};  ///< normal and slip are those from the yarn of the strip to the other
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(at, other, block, point, first_span, n_spans, length, wake, now);
+  }
 };
 
 /// A piece of a yarn, cut into n equal parts.
@@ -63,6 +83,11 @@ struct CutPiece {
   std::int32_t n = 1;
   bool operator==(const CutPiece&) const = default;
   bool operator<(const CutPiece& other) const { return std::tie(piece, n) < std::tie(other.piece, other.n); }
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(piece, n);
+  }
 };
 
 /// A strip, and cells of one piece, one after the other, that it may touch.
@@ -74,6 +99,11 @@ struct Touch {
   bool operator<(const Touch& other) const {
     return std::tie(strips, strip, cells, first) < std::tie(other.strips, other.strip, other.cells, other.first);
   }
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(strips, strip, cells, first, last);
+  }
 };
 
 /// The touches of a pair of pieces, and which of the two is cut into strips.
@@ -81,6 +111,11 @@ struct PairTouches {
   ElementPair pair{};
   bool on_second = false;
   std::size_t first_touch = 0, n_touches = 0;  ///< in FollowedContacts::touches
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(pair, on_second, first_touch, n_touches);
+  }
 };
 
 /// All places that are followed.
@@ -91,6 +126,11 @@ struct FollowedContacts {
   PlacedPoints points;
   std::vector<PairTouches> pairs;  ///< that may touch, ascending
   std::vector<Touch> touches;      ///< whether crossings count them or not
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(crossings, strips, spans, points, pairs, touches);
+  }
 };
 
 /// The contacts that carry a force.

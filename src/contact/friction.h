@@ -11,6 +11,11 @@ struct SlipMemory {
       elastic_slip{};  ///< stretch of the stick: elastic slip of the second yarn on the first [mm], across the normal
   double slid = 0;     ///< length of the path slid since the contact began [mm]
   bool slips = false;  ///< the Coulomb limit was reached in the last step
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(normal, elastic_slip, slid, slips);
+  }
 };
 
 /// The same memory, seen from the other yarn.

@@ -12,6 +12,11 @@ namespace knitmech::contact {
 struct CommonMotion {
   double start = 0;  ///< [mm/s]
   double rate = 0;   ///< [1/s]
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(start, rate);
+  }
 };
 
 /// The common motion that fits the velocities best (least squares).
@@ -38,6 +43,11 @@ class Motion {
   [[nodiscard]] double largest() const { return largest_; }
   /// Bound of the motion of any element since the last look [mm].
   [[nodiscard]] double since_look() const { return since_look_; }
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(of_element_, largest_, since_look_);
+  }
 
  private:
   std::vector<double> of_element_;

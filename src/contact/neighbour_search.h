@@ -11,6 +11,11 @@ namespace knitmech::contact {
 /// Two elements that may come into contact, first < second.
 struct ElementPair {
   std::int32_t first, second;
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(first, second);
+  }
 };
 
 /// Pairs of elements nearer than the sum of their radii plus a skin, in ascending order (first, then second).

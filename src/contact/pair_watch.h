@@ -33,6 +33,11 @@ class PairWatch {
     }
   }
 
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(pairs_, wakes_);
+  }
+
  private:
   std::vector<ElementPair> pairs_;
   std::vector<double> wakes_;  ///< motion of both elements since the search at which a pair wakes [mm]

@@ -41,11 +41,22 @@ class PlacedPoints {
   /// Gives the forces on all blocks of this step to the nodes.
   void give_forces(const Centreline& line, model::NodalLoads& loads) const;
 
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(blocks_, in_use_, step_, element_, share_, on_end_, on_start_slope_, on_end_slope_, on_bow_, x_, y_, z_,
+            vx_, vy_, vz_, fx_, fy_, fz_);
+  }
+
  private:
   struct Block {
     std::int32_t element = 0;
     std::size_t first = 0, count = 0;
     long step = 0;  ///< in which it was brought up to date
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+      archive(element, first, count, step);
+    }
   };
   void update(Block& block, const Centreline& line, const model::State& state);
 

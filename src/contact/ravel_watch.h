@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/left_out.h"
 #include "contact/contact_elements.h"
 #include "contact/neighbour_search.h"
 #include "contact/yarn_window.h"
@@ -20,6 +21,11 @@ struct RavelEvent {
   std::int32_t other_yarn;  ///< that it slipped over
   double arc_length;        ///< of the place on the other yarn, along it from its first node [mm]
   Vector3 place;            ///< on the other yarn [mm]
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(yarn, end, other_yarn, arc_length, place);
+  }
 };
 
 /// Where the tail of a yarn is near a place of another yarn, or of its own.
@@ -31,6 +37,11 @@ struct TailApproach {
   double sticks_out = 0;  ///< length of the tail beyond the place [mm]; 0: its end is nearest
   double integral = 0;    ///< Gauss integral of the two windows [-]
   Vector3 place{};        ///< on the other yarn [mm]
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(tail, other, arc_length, distance, sticks_out, integral, place);
+  }
 };
 
 /// Watches the free ends of yarns.
@@ -52,6 +63,11 @@ class RavelWatch {
   /// \param pairs all pairs of pieces that touch or nearly touch, nearer than about 1.4 D
   std::vector<RavelEvent> update(const model::VectorArray& position, const std::vector<ElementPair>& pairs);
 
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(base::left_out(elements_, ranges_, tails_, range_of_, tail_of_), held_, gone_);
+  }
+
  private:
   struct Tail {
     std::size_t range;  ///< index into ranges_
@@ -65,6 +81,11 @@ class RavelWatch {
   struct HeldCrossing {
     TailApproach now;
     double largest_integral = 0;  ///< with its sign [-]
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+      archive(now, largest_integral);
+    }
   };
 
   void add_tail(std::size_t range, YarnEnd end, double length);

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/left_out.h"
 #include "contact/centreline.h"
 #include "contact/chord_contacts.h"
 #include "contact/contact_points.h"
@@ -54,6 +55,13 @@ class YarnContact {
 
   /// Fills the contact fields of a frame whose points are set: contact_force, gap, contacts.
   void set_contact_results(model::Frame& frame) const;
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(base::left_out(elements_, pieces_, law_, skin_, chords_before_), centreline_, common_motion_, motion_,
+            watch_, followed_, near_, chords_, friction_loss_, largest_penetration_, lost_, crossing_watch_, ravelled_,
+            checked_at_, searches_, crossing_checks_);
+  }
 
  private:
   void search(const model::State& state);

@@ -89,6 +89,7 @@ struct Case {
   struct Output {
     std::vector<double> frames_at;  ///< strains, ascending, each at most test.strain
     int history_points = 0;         ///< rows of history.csv over the test
+    double checkpoint_every = 0;    ///< [s], of real time between two checkpoints; 0: none but where interrupted
   } output;
 };
 

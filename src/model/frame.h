@@ -25,6 +25,13 @@ struct HistoryRow {
   double largest_elastic_slip = 0;  ///< [mm], motion that the sticks have let through before they slip; see friction
   double largest_penetration = 0;   ///< [mm]
   double step = 0;                  ///< [s], time step in use
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(time, displacement, strain, force_top, force_bottom, external_work, internal_energy, kinetic_energy,
+            contact_energy, friction_loss, damping_loss, break_loss, width, contacts, normal_force,
+            largest_elastic_slip, largest_penetration, step);
+  }
 };
 
 /// One place where two yarns, or two parts of one yarn, press on each other. "First" and "second" are the yarns in the

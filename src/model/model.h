@@ -21,6 +21,11 @@ struct ModelYarn {
 struct ElementPlace {
   int element = 0;   ///< by its first node
   double share = 0;  ///< in [0, 1]
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(element, share);
+  }
 };
 
 /// Two places that are tied to each other: they keep their relative position. See solve/ties.h.

@@ -112,6 +112,12 @@ Value value_in(const Case& input, const Parameter& parameter) {
       parameter.slot(copy));
 }
 
+const Parameter* first_difference(const Case& a, const Case& b) {
+  const auto differs = [&](const Parameter& parameter) { return value_in(a, parameter) != value_in(b, parameter); };
+  const auto first = std::ranges::find_if(parameters(), differs);
+  return first == parameters().end() ? nullptr : &*first;
+}
+
 void set_value(Case& input, const Parameter& parameter, const Value& value) {
   std::visit(
       [&](auto* member) {

@@ -84,6 +84,9 @@ struct CaseSection {
 /// The value that a case holds for a parameter.
 [[nodiscard]] Value value_in(const Case& input, const Parameter& parameter);
 
+/// The first parameter, in the order of the table, in which two cases differ; nullptr if there is none.
+[[nodiscard]] const Parameter* first_difference(const Case& a, const Case& b);
+
 /// Puts a value into a case. @pre the value is of the parameter's kind and allowed, see complaint_about()
 void set_value(Case& input, const Parameter& parameter, const Value& value);
 

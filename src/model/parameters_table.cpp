@@ -238,6 +238,14 @@ std::vector<Parameter> output_parameters() {
        .range = from(1, 1e6),
        .help = "rows of the history (forces, energies) over the test",
        .slot = [](Case& c) -> Slot { return &c.output.history_points; }},
+      {.key = "output.checkpoint_every",
+       .dimension = Dimension::time,
+       .need = Need::defaulted,
+       .value = 60.0,
+       .range = from(0, 1e6),
+       .help = "real time between two checkpoints, from which knitmech run --resume goes on; 0 s: only where a run is "
+               "interrupted; without effect on the results",
+       .slot = [](Case& c) -> Slot { return &c.output.checkpoint_every; }},
   };
 }
 

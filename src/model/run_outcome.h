@@ -18,6 +18,11 @@ struct Ravelling {
   int other_yarn = 0;                 ///< that it slipped over
   double other_place = 0;             ///< [mm], along the other yarn from its first node
   Eigen::Vector3d position{0, 0, 0};  ///< [mm], of that place
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(strain, yarn, is_last_end, broken_end, other_yarn, other_place, position);
+  }
 };
 
 /// An element of a yarn whose axial force reached the strength of its section.
@@ -27,6 +32,11 @@ struct YarnBreak {
   double axial_strain = 0;            ///< [-], of the element
   double axial_force = 0;             ///< [N], without viscosity
   Eigen::Vector3d position{0, 0, 0};  ///< [mm], of the element's middle
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(strain, element, axial_strain, axial_force, position);
+  }
 };
 
 /// How a simulation ended. A simulation that cannot go on is an outcome with its reason, not an exception.
@@ -47,6 +57,12 @@ struct RunOutcome {
   std::vector<Ravelling> ravelled;  ///< in the order of time
   std::vector<YarnBreak> breaks;    ///< in the order of time
   double wall_seconds = 0;          ///< [s], real time in the solver
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(status, reason, advice, time, strain, steps, smallest_step, largest_penetration, largest_tie_stretch,
+            mass_scaling, threads, lost_crossings, crossing_checks, ravelled, breaks, wall_seconds);
+  }
 };
 
 }  // namespace knitmech::model

@@ -25,6 +25,11 @@ struct VectorArray {
     y[i] += v.y;
     z[i] += v.z;
   }
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(x, y, z);
+  }
 };
 
 /// n unit quaternions (w, x, y, z) as a struct of arrays; all identity at first.
@@ -33,6 +38,11 @@ struct RotationArray {
 
   RotationArray() = default;
   explicit RotationArray(std::size_t n) : w(n, 1.0), x(n, 0.0), y(n, 0.0), z(n, 0.0) {}
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(w, x, y, z);
+  }
 };
 
 /// Where every node is and how it moves. One entry per node, numbered as in Model.
@@ -45,6 +55,11 @@ struct State {
 
   State() = default;
   explicit State(std::size_t n) : position(n), rotation(n), velocity(n), angular_velocity(n) {}
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(time, position, rotation, velocity, angular_velocity);
+  }
 };
 
 /// Forces and moments on the nodes, in space axes.
@@ -54,6 +69,11 @@ struct NodalLoads {
 
   NodalLoads() = default;
   explicit NodalLoads(std::size_t n) : force(n), moment(n) {}
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(force, moment);
+  }
 };
 
 }  // namespace knitmech::model

@@ -25,10 +25,12 @@ using File = std::unique_ptr<std::FILE, CloseFile>;
 
 /// Writes and closes; returns 0 or the error number of the first call that failed. A full disk often shows only when
 /// the buffer is flushed, so flushing and closing count as well.
-int write_and_close(File file, std::string_view content) {
+int write_and_close(File file, std::initializer_list<std::string_view> parts) {
   errno = 0;
-  if (std::fwrite(content.data(), 1, content.size(), file.get()) != content.size()) {
-    return errno != 0 ? errno : EIO;
+  for (const std::string_view part : parts) {
+    if (std::fwrite(part.data(), 1, part.size(), file.get()) != part.size()) {
+      return errno != 0 ? errno : EIO;
+    }
   }
   if (std::fflush(file.get()) != 0) {
     return errno;
@@ -39,13 +41,17 @@ int write_and_close(File file, std::string_view content) {
 }  // namespace
 
 void write_file_atomically(const std::filesystem::path& path, std::string_view content) {
+  write_file_atomically(path, {content});
+}
+
+void write_file_atomically(const std::filesystem::path& path, std::initializer_list<std::string_view> parts) {
   std::filesystem::path partial = path;
   partial += kPartialSuffix;
   File file{std::fopen(partial.c_str(), "wb")};
   if (file == nullptr) {
     throw file_error("Cannot write", path, errno);
   }
-  const int code = write_and_close(std::move(file), content);
+  const int code = write_and_close(std::move(file), parts);
   std::error_code ignored;
   if (code != 0) {
     std::filesystem::remove(partial, ignored);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <initializer_list>
 #include <string>
 #include <string_view>
 
@@ -16,6 +17,9 @@ inline constexpr std::string_view kPartialSuffix = ".partial";
 ///
 /// Throws FileError with the path and the reason of the system (disk full, folder not writable, ...).
 void write_file_atomically(const std::filesystem::path& path, std::string_view content);
+
+/// The same for a content in several parts, which follow each other.
+void write_file_atomically(const std::filesystem::path& path, std::initializer_list<std::string_view> parts);
 
 /// The whole content of a file. Throws FileError with the path and the reason.
 [[nodiscard]] std::string read_file(const std::filesystem::path& path);

@@ -9,6 +9,11 @@ namespace knitmech::results {
 struct FrameEntry {
   int index = 0;
   double strain = 0;  ///< [-]
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(index, strain);
+  }
 };
 
 /// ParaView's collection file (frames.pvd, contacts.pvd), which lists a file per frame with the strain [-] in the place

@@ -15,6 +15,11 @@ struct ContactSummary {
   std::optional<double> slipping_share;  ///< [-], contacts that slip over all; empty without contacts
   double elastic_slip = 0;               ///< [mm], largest of all contacts
   double elastic_slip_ratio = 0;  ///< [-], largest elastic slip over the diameter of the thinner of the two yarns
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(contacts, normal_force, slipping_share, elastic_slip, elastic_slip_ratio);
+  }
 };
 
 /// Sums up the contacts of a frame of the model. A yarn without diameter counts as having no elastic slip ratio.

@@ -4,12 +4,14 @@
 
 #include <cerrno>
 #include <fstream>
+#include <set>
 #include <string_view>
 #include <system_error>
 #include <utility>
 
 #include "base/errors.h"
 #include "results/atomic_file.h"
+#include "results/checkpoint_file.h"
 #include "results/constants.h"
 #include "results/contact_file.h"
 #include "results/frame_file.h"
@@ -23,7 +25,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kCaseFile = "case.toml";
-constexpr const char* kSummaryFile = "summary.json";
 constexpr const char* kHistoryFile = "history.csv";
 constexpr const char* kLogFile = "log.txt";
 constexpr const char* kFramesFolder = "frames";
@@ -83,25 +84,40 @@ void remove_own(const fs::path& path) {
   fs::remove(partial);
 }
 
-void remove_older_run(const fs::path& dir) {
-  for (const char* name : {kHistoryFile, kLogFile, kCaseFile}) {
-    remove_own(dir / name);
-  }
-  const fs::path frames = dir / kFramesFolder;
+/// Removes the files of all frames but some.
+void remove_frames(const fs::path& frames, const std::set<std::string>& kept) {
   if (!fs::is_directory(frames)) {
     return;
   }
-  remove_own(frames / kFramesCollection);
-  remove_own(frames / kContactsCollection);
   std::vector<fs::path> old_frames;
   for (const fs::directory_entry& entry : fs::directory_iterator(frames)) {
-    if (is_frame_file(entry.path().filename().string())) {
+    const std::string name = entry.path().filename().string();
+    if (is_frame_file(name) && !kept.contains(name)) {
       old_frames.push_back(entry.path());
     }
   }
   for (const fs::path& file : old_frames) {
     fs::remove(file);
   }
+}
+
+void remove_older_run(const fs::path& dir) {
+  for (const char* name : {kHistoryFile, kLogFile, kCaseFile}) {
+    remove_own(dir / name);
+  }
+  const fs::path frames = dir / kFramesFolder;
+  remove_frames(frames, {});
+  remove_own(frames / kFramesCollection);
+  remove_own(frames / kContactsCollection);
+}
+
+std::set<std::string> files_of(const std::vector<FrameEntry>& frames) {
+  std::set<std::string> files;
+  for (const FrameEntry& frame : frames) {
+    files.insert(
+        {frame_file_name(frame.index), contact_table_file_name(frame.index), contact_points_file_name(frame.index)});
+  }
+  return files;
 }
 
 }  // namespace
@@ -111,6 +127,8 @@ RunFolder::RunFolder(fs::path dir, const std::string& case_toml, model::Model mo
   try {
     refuse_foreign_folder(dir_);
     fs::create_directories(dir_);
+    // A checkpoint of the older run must not outlive what it belongs to.
+    remove_own(dir_ / kCheckpointFile);
     // The summary goes first: it marks the folder as ours even if the program is killed before the next file.
     write_file_atomically(dir_ / kSummaryFile, running_summary(model_));
     remove_older_run(dir_);
@@ -123,8 +141,24 @@ RunFolder::RunFolder(fs::path dir, const std::string& case_toml, model::Model mo
   write_history();
 }
 
+RunFolder::RunFolder(fs::path dir, RunRecord record, model::Model model)
+    : dir_(std::move(dir)),
+      model_(std::move(model)),
+      record_(std::move(record)),
+      history_text_(std::string{kHistoryHeader} + "\n") {
+  for (const model::HistoryRow& row : record_.history) history_text_ += history_line(row);
+  write_file_atomically(dir_ / kSummaryFile, running_summary(model_));
+  try {
+    remove_frames(dir_ / kFramesFolder, files_of(record_.frames));
+  } catch (const fs::filesystem_error& error) {
+    throw folder_error(dir_, error.code());
+  }
+  write_collections();
+  write_history();
+}
+
 void RunFolder::add_history(const model::HistoryRow& row) {
-  history_.push_back(row);
+  record_.history.push_back(row);
   history_text_ += history_line(row);
   const std::chrono::duration<double> age = std::chrono::steady_clock::now() - history_written_;
   if (age.count() >= kHistoryRewriteInterval) {
@@ -137,9 +171,9 @@ void RunFolder::add_frame(const model::Frame& frame) {
   write_file_atomically(folder / frame_file_name(frame.index), frame_text(model_, frame));
   write_file_atomically(folder / contact_table_file_name(frame.index), contact_table_text(model_, frame));
   write_file_atomically(folder / contact_points_file_name(frame.index), contact_points_text(model_, frame));
-  frames_.push_back({frame.index, frame.history.strain});
-  contacts_ = summarise_contacts(model_, frame.contacts);
-  update(peaks_, frame);
+  record_.frames.push_back({frame.index, frame.history.strain});
+  record_.contacts = summarise_contacts(model_, frame.contacts);
+  update(record_.peaks, frame);
   write_collections();
   write_history();
 }
@@ -159,15 +193,17 @@ void RunFolder::log(const std::string& line) {
 void RunFolder::finish(const model::RunOutcome& outcome) {
   write_history();
   const double diameter = model_.sections.empty() ? 0.0 : model_.sections.front().diameter;
-  const Quality quality = assess_quality(history_, outcome, diameter);
-  write_file_atomically(dir_ / kSummaryFile, finished_summary(model_, history_, static_cast<int>(frames_.size()),
-                                                              contacts_, peaks_, outcome, quality));
+  const Quality quality = assess_quality(record_.history, outcome, diameter);
+  write_file_atomically(dir_ / kSummaryFile,
+                        finished_summary(model_, record_.history, static_cast<int>(record_.frames.size()),
+                                         record_.contacts, record_.peaks, outcome, quality));
+  if (outcome.status != model::RunStatus::interrupted) remove_own(dir_ / kCheckpointFile);
 }
 
 void RunFolder::write_collections() const {
   const fs::path folder = dir_ / kFramesFolder;
-  write_file_atomically(folder / kFramesCollection, collection_text(frames_, frame_file_name));
-  write_file_atomically(folder / kContactsCollection, collection_text(frames_, contact_points_file_name));
+  write_file_atomically(folder / kFramesCollection, collection_text(record_.frames, frame_file_name));
+  write_file_atomically(folder / kContactsCollection, collection_text(record_.frames, contact_points_file_name));
 }
 
 void RunFolder::write_history() {

@@ -2,22 +2,19 @@
 
 #include <chrono>
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "model/frame.h"
 #include "model/model.h"
 #include "model/run_outcome.h"
-#include "results/collection_file.h"
-#include "results/contact_summary.h"
-#include "results/section_peaks.h"
+#include "results/run_record.h"
 
 namespace knitmech::results {
 
 /// The folder of one run, written while the simulation goes on (docs/results.md):
 ///
-///     case.toml summary.json history.csv log.txt
+///     case.toml summary.json history.csv log.txt checkpoint.bin
 ///     frames/frames.pvd    frames/frame_0000.vtp ...
 ///     frames/contacts.pvd  frames/contacts_0000.vtp ...  frames/contacts_0000.csv ...
 ///
@@ -35,6 +32,10 @@ class RunFolder {
   /// KnitMech run folder (recognised by its summary.json).
   RunFolder(std::filesystem::path dir, const std::string& case_toml, model::Model model);
 
+  /// Takes up the run in a folder where it had left this record: what it wrote after that is removed, or will be
+  /// written anew.
+  RunFolder(std::filesystem::path dir, RunRecord record, model::Model model);
+
   /// Keeps a row of the history; history.csv is rewritten at most once per kHistoryRewriteInterval.
   void add_history(const model::HistoryRow& row);
 
@@ -45,11 +46,12 @@ class RunFolder {
   void log(const std::string& line);
 
   /// Writes the whole history and the summary with the contacts of the last frame, the largest section results of all
-  /// frames and the quality block (assess_quality()).
+  /// frames and the quality block (assess_quality()). Removes the checkpoint, unless the run was interrupted.
   void finish(const model::RunOutcome& outcome);
 
   [[nodiscard]] const std::filesystem::path& path() const { return dir_; }
-  [[nodiscard]] const std::vector<model::HistoryRow>& history() const { return history_; }
+  [[nodiscard]] const std::vector<model::HistoryRow>& history() const { return record_.history; }
+  [[nodiscard]] const RunRecord& record() const { return record_; }
 
  private:
   void write_history();
@@ -57,11 +59,8 @@ class RunFolder {
 
   std::filesystem::path dir_;
   model::Model model_;
-  std::vector<model::HistoryRow> history_;
+  RunRecord record_;
   std::string history_text_;
-  std::vector<FrameEntry> frames_;
-  std::optional<ContactSummary> contacts_;  ///< of the last frame
-  SectionPeaks peaks_;                      ///< of all frames
   std::chrono::steady_clock::time_point history_written_;
 };
 

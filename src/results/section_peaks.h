@@ -14,6 +14,11 @@ struct SectionPeak {
   int frame = 0;            ///< index of the frame
   double strain = 0;        ///< [-], of that frame
   std::size_t element = 0;  ///< by its first node
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(value, frame, strain, element);
+  }
 };
 
 /// A section result of which the largest value is kept: its name in summary.json, and where frames have it.

@@ -226,4 +226,9 @@ bool is_summary(const std::filesystem::path& path) {
   return document.is_object() && document.value("format", Json{}) == kFormat;
 }
 
+std::string status_in_summary(const std::filesystem::path& path) {
+  const Json status = Json::parse(read_file(path), nullptr, /*allow_exceptions=*/false).value("status", Json{});
+  return status.is_string() ? status.get<std::string>() : "";
+}
+
 }  // namespace knitmech::results

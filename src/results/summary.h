@@ -29,7 +29,13 @@ inline constexpr int kSummarySchema = 1;
                                            const SectionPeaks& peaks, const model::RunOutcome& outcome,
                                            const Quality& quality);
 
+/// In the run folder.
+inline constexpr const char* kSummaryFile = "summary.json";
+
 /// Whether a file is the summary.json of a KnitMech run; false also if it does not exist or is no JSON.
 [[nodiscard]] bool is_summary(const std::filesystem::path& path);
+
+/// The status in the summary.json of a run.
+[[nodiscard]] std::string status_in_summary(const std::filesystem::path& path);
 
 }  // namespace knitmech::results

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/left_out.h"
 #include "contact/ravel_watch.h"
 #include "model/frame.h"
 #include "model/model.h"
@@ -32,6 +33,14 @@ class BrokenYarns {
   [[nodiscard]] model::Ravelling ravelling_of(const contact::RavelEvent& event) const;
   /// Puts the yarns, and the places on them, into contacts of the pieces.
   void name_whole_yarns(std::vector<model::ContactRecord>& contacts) const;
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(base::left_out(whole_, cut_), elements_);
+    if constexpr (Archive::is_loading::value) {
+      if (!elements_.empty()) cut({});
+    }
+  }
 
  private:
   [[nodiscard]] int whole_yarn(int piece) const;

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "base/left_out.h"
 #include "beam/nodal_inertia.h"
 #include "model/model.h"
 #include "model/state.h"
@@ -40,6 +41,11 @@ class EvenStretch {
   [[nodiscard]] double damping_loss() const { return damping_loss_; }
   /// Of the whole fabric [t].
   [[nodiscard]] double mass() const { return mass_; }
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(base::left_out(mass_of_, shared_mass_, gripped_, mass_, stretched_mass_), work_, damping_loss_);
+  }
 
  private:
   void calm(double speed, double rate, double h, const model::State& state, model::NodalLoads& loads);

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/left_out.h"
 #include "base/thread_team.h"
 #include "beam/elements.h"
 #include "beam/fold_limit.h"
@@ -73,6 +74,17 @@ class ExplicitSolver {
   [[nodiscard]] model::HistoryRow history();
   [[nodiscard]] model::Frame frame(int index, const model::HistoryRow& row) const;
 
+  /// All that the solver remembers, in both directions. To be read into a solver of the same model and settings.
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(base::left_out(model_, settings_, team_, elements_, inertia_, nonlinear_, smallest_radius_, first_step_), pieces_);
+    if constexpr (Archive::is_loading::value) make_parts_of_pieces();
+    archive(work_, folds_, contact_, ties_, grips_, pull_, state_, loads_, step_, kick_, step_in_use_, calm_looks_,
+            breaks_, broken_, earlier_, untold_, n_gathered_, break_loss_, mass_damping_loss_, largest_penetration_,
+            impulse_top_, impulse_bottom_, impulse_time_, forces_are_current_, is_finite_, steps_);
+    if constexpr (Archive::is_loading::value) nonlinear_.set_secants(state_, elements_);
+  }
+
  private:
   /// \param viscous_time, friction_time [s], over which the losses of viscosity and friction are added up
   void compute_forces(double viscous_time, double friction_time);
@@ -85,6 +97,7 @@ class ExplicitSolver {
   void cut(const std::vector<std::size_t>& elements);
   void take_out(std::size_t element);
   void make_contact_anew();
+  void make_parts_of_pieces();
   void keep_velocities_of_now(const model::NodalLoads& loads_before);
   void limit_step_to_snap(std::size_t element);
   void gather_ravelled();
@@ -115,6 +128,11 @@ class ExplicitSolver {
   struct Earlier {
     double friction_loss = 0;  ///< [mJ]
     long crossing_checks = 0;
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+      archive(friction_loss, crossing_checks);
+    }
   };
   YarnBreaks breaks_;
   BrokenYarns pieces_;

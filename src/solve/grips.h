@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "base/left_out.h"
 #include "beam/nodal_inertia.h"
 #include "model/model.h"
 #include "model/state.h"
@@ -31,6 +32,11 @@ class Grips {
   [[nodiscard]] double force_bottom() const { return force_bottom_; }
   /// Work of the driven grip since the start [mJ].
   [[nodiscard]] double work() const { return work_; }
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(base::left_out(test_, held_, driven_), force_top_, force_bottom_, work_);
+  }
 
  private:
   void add_up(const SelectiveMass& masses, double h, const model::State& state, double speed,

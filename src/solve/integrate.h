@@ -11,6 +11,11 @@ struct StepLengths {
   double before = 0;  ///< [s], from the last positions to the present ones
   double after = 0;   ///< [s], from the present positions to the next ones
   [[nodiscard]] double mean() const { return 0.5 * (before + after); }
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(before, after);
+  }
 };
 
 /// Carries velocities over the mean of both steps and positions over the step after:

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "base/left_out.h"
+
 namespace knitmech::solve {
 
 /// What a pace is measured against: the test and the fabric that it pulls.
@@ -31,6 +33,12 @@ struct PaceState {
   double kinetic = 0;                   ///< [mJ], the same
   double stray = 0;                     ///< [mJ], the same
   double stray_now = 0;                 ///< [mJ], mean over less of it
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(displacement, speed, acceleration, goal, speeding_up, braking, looked_at, internal, kinetic, stray,
+            stray_now);
+  }
 };
 
 /// How fast the grip moves where the program chooses mass and speed: as fast as the inertia of the yarns allows, which
@@ -58,6 +66,11 @@ class Pace {
   double advance(double h, double after);
 
   [[nodiscard]] const PaceState& state() const { return state_; }
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(base::left_out(scale_), state_);
+  }
 
  private:
   void take_in(const PaceSignals& now);

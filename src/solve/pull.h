@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "base/left_out.h"
 #include "beam/nodal_inertia.h"
 #include "model/model.h"
 #include "model/state.h"
@@ -36,16 +37,32 @@ class Pull {
   /// Energy that braking took from motion other than an even stretch [mJ].
   [[nodiscard]] double damping_loss() const { return paced_ ? paced_->stretch.damping_loss() : 0; }
 
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(base::left_out(test_, paced_), impulse_);
+    if (paced_) archive(*paced_);
+  }
+
  private:
   /// Of the grips, since the last look.
   struct Impulse {
     double top = 0, bottom = 0;  ///< [N s]
     double time = 0;             ///< [s]
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+      archive(top, bottom, time);
+    }
   };
 
   struct Paced {
     EvenStretch stretch;
     Pace pace;
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+      archive(stretch, pace);
+    }
   };
 
   model::TensileTest test_;

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 #include "model/places.h"
+#include "solve/checkpoint.h"
 #include "solve/constants.h"
 #include "solve/explicit_solver.h"
 #include "solve/mass_scaling.h"
@@ -99,19 +101,22 @@ class Run {
                         settings.adapts_pace && mass_scaling_ > 1, threads_,
                         settings.selective_mass && mass_scaling_ > 1 ? selective_length(model) : 0}) {}
 
-  model::RunOutcome run() {
-    const auto start = std::chrono::steady_clock::now();
-    outcome_.mass_scaling = mass_scaling_;
+  model::RunOutcome run(std::string checkpoint) {
+    if (checkpoint.empty()) {
+      begin();
+    } else {
+      go_back_to(std::move(checkpoint), solver_, progress_);
+      seconds_before_ = outcome_.wall_seconds;
+    }
     outcome_.threads = threads_;
-    outcome_.smallest_step = solver_.first_step();
-    report(true);
-    for (const Event& event : events_) {
+    for (; progress_.next_report < events_.size(); ++progress_.next_report) {
+      const Event& event = events_[progress_.next_report];
       if (!advance_to(event.strain)) {
         report(true);
         break;
       }
       report(event.with_frame);
-      if (const auto failure = failure_in_balance(model_, latest_)) {
+      if (const auto failure = failure_in_balance(model_, progress_.latest)) {
         fail(*failure);
         if (!event.with_frame) report_frame();
         break;
@@ -119,26 +124,36 @@ class Run {
     }
     outcome_.breaks = solver_.broken();
     outcome_.time = solver_.time();
-    outcome_.strain = latest_.strain;
+    outcome_.strain = progress_.latest.strain;
     outcome_.steps = solver_.steps();
     outcome_.largest_penetration = solver_.largest_penetration();
     outcome_.lost_crossings = solver_.lost_crossing() ? 1 : 0;
     outcome_.crossing_checks = solver_.crossing_checks();
-    outcome_.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    outcome_.wall_seconds = seconds();
     return outcome_;
   }
 
  private:
+  void begin() {
+    outcome_.mass_scaling = mass_scaling_;
+    outcome_.smallest_step = solver_.first_step();
+    report(true);
+  }
+
+  [[nodiscard]] double seconds() const {
+    return seconds_before_ + std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
   void report(bool with_frame) {
-    latest_ = solver_.history();
+    progress_.latest = solver_.history();
     outcome_.largest_tie_stretch = std::max(outcome_.largest_tie_stretch, solver_.largest_tie_stretch());
-    if (callbacks_.on_history) callbacks_.on_history(latest_);
+    if (callbacks_.on_history) callbacks_.on_history(progress_.latest);
     if (with_frame) report_frame();
   }
 
   void report_frame() {
-    if (callbacks_.on_frame) callbacks_.on_frame(solver_.frame(n_frames_, latest_));
-    ++n_frames_;
+    if (callbacks_.on_frame) callbacks_.on_frame(solver_.frame(progress_.n_frames, progress_.latest));
+    ++progress_.n_frames;
   }
 
   void note_ravelling() {
@@ -174,12 +189,20 @@ class Run {
         return false;
       }
       if (ended_by_break()) return false;
-      if (solver_.steps() % kAskInterval == 0 && callbacks_.keep_going && !callbacks_.keep_going(latest_)) {
-        outcome_.status = model::RunStatus::interrupted;
-        return false;
-      }
+      if (solver_.steps() % kAskInterval == 0 && !ask_whether_to_go_on()) return false;
     }
     return true;
+  }
+
+  bool ask_whether_to_go_on() {
+    const bool goes_on = !callbacks_.keep_going || callbacks_.keep_going(progress_.latest);
+    const bool is_wanted = !goes_on || (callbacks_.wants_checkpoint && callbacks_.wants_checkpoint());
+    if (is_wanted && callbacks_.on_checkpoint) {
+      outcome_.wall_seconds = seconds();
+      callbacks_.on_checkpoint(checkpoint_of(solver_, progress_));
+    }
+    if (!goes_on) outcome_.status = model::RunStatus::interrupted;
+    return goes_on;
   }
 
   const model::Model& model_;
@@ -188,9 +211,10 @@ class Run {
   double mass_scaling_;
   int threads_;
   ExplicitSolver solver_;
-  model::HistoryRow latest_;
-  model::RunOutcome outcome_;
-  int n_frames_ = 0;
+  RunProgress progress_;
+  model::RunOutcome& outcome_ = progress_.outcome;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  double seconds_before_ = 0;  ///< [s], in the solver, of the run that this one goes on with
 };
 
 }  // namespace
@@ -202,8 +226,8 @@ SimulationSettings settings_from(const model::Case& input) {
 }
 
 model::RunOutcome simulate(const model::Model& model, const SimulationSettings& settings,
-                           const SimulationCallbacks& callbacks) {
-  return Run(model, settings, callbacks).run();
+                           const SimulationCallbacks& callbacks, std::string checkpoint) {
+  return Run(model, settings, callbacks).run(std::move(checkpoint));
 }
 
 }  // namespace knitmech::solve

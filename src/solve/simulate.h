@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "model/case.h"
@@ -32,13 +33,20 @@ struct SimulationCallbacks {
       on_history;  ///< settings.history_points times, evenly over strain, and with each frame
   std::function<void(const model::Frame&)> on_frame;                ///< at the start, at settings.frames_at, at the end
   std::function<bool(const model::HistoryRow& latest)> keep_going;  ///< asked every few dozen steps; false interrupts
+  std::function<bool()> wants_checkpoint = {};                      ///< asked as often as keep_going
+  /// With all that the run remembers, where one is wanted and when the run is interrupted.
+  std::function<void(const std::string&)> on_checkpoint = {};
 };
 
 /// Runs the tensile test of a model by explicit dynamics (docs/theory.md).
 ///
 /// Never throws for a simulation that goes wrong: that is an outcome with status failed, reason and advice. Whatever
 /// ends the run, a last history row and a last frame are reported first.
+/// \param checkpoint of an earlier run of the same model with the same settings, which goes on from there as if it had
+/// never ended: what it reported before the checkpoint is not reported again, what it reported after it is, and every
+/// number is the same to the last bit, provided that the program and the kind of processor are. Empty: from the start
+/// @throws InputError if the checkpoint is not one of this program
 model::RunOutcome simulate(const model::Model& model, const SimulationSettings& settings,
-                           const SimulationCallbacks& callbacks);
+                           const SimulationCallbacks& callbacks, std::string checkpoint = {});
 
 }  // namespace knitmech::solve

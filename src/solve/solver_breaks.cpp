@@ -82,6 +82,13 @@ void ExplicitSolver::make_contact_anew() {
   n_gathered_ = 0;
 }
 
+/// Brings the parts that know the yarns up to date with pieces_, for a solver that goes on where another one was.
+void ExplicitSolver::make_parts_of_pieces() {
+  if (pieces_.elements().empty()) return;
+  for (const int element : pieces_.elements()) take_out(static_cast<std::size_t>(element));
+  contact_ = contact::YarnContact(pieces_.model());
+}
+
 /// A broken end springs back at the speed strain c before the next look at the step.
 void ExplicitSolver::limit_step_to_snap(std::size_t element) {
   const double speed = break_of(element).axial_strain * breaks_.wave_speed(element);

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "base/left_out.h"
 #include "beam/nodal_inertia.h"
 #include "contact/centreline.h"
 #include "model/frame.h"
@@ -49,11 +50,21 @@ class Ties {
   /// Fills the tie_force of a frame whose points are set, as of the last call of apply.
   void set_results(model::Frame& frame) const;
 
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(base::left_out(gripped_), ties_, largest_stretch_);
+  }
+
  private:
   struct Anchor {
     model::ElementPlace place;
     std::size_t node = 0;  ///< nearest, which the arm turns with
     Vector3 arm{};         ///< a [mm], stress-free
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+      archive(place, node, arm);
+    }
   };
   /// A point of a tie at one instant: where it is, and how it hangs on the two nodes of its element.
   struct Point {
@@ -61,11 +72,21 @@ class Ties {
     std::array<double, 2> weight{};  ///< share of their displacement [-]
     std::array<Vector3, 2> arm{};    ///< it moves by w x arm where they turn [mm]
     Vector3 position{};              ///< p [mm]
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+      archive(node, weight, arm, position);
+    }
   };
   struct Tie {
     Anchor first, second;
     Point now_first{}, now_second{};  ///< at the last call of apply
     Vector3 force{0, 0, 0};           ///< on the first, then [N]
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+      archive(first, second, now_first, now_second, force);
+    }
   };
   class Coming;
 

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "base/left_out.h"
 #include "base/thread_team.h"
 #include "beam/strength_watch.h"
 #include "model/model.h"
@@ -32,11 +33,21 @@ class YarnBreaks {
   /// c of an element at its strength [mm/s].
   [[nodiscard]] double wave_speed(std::size_t element) const;
 
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(base::left_out(model_, mass_scaling_), watch_, breaks_);
+  }
+
  private:
   struct Break {
     std::size_t element;
     int yarn;
     double time;  ///< [s]
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+      archive(element, yarn, time);
+    }
   };
   [[nodiscard]] bool is_being_unloaded(std::size_t element, double time) const;
 

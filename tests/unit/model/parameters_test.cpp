@@ -45,6 +45,23 @@ TEST(Parameters, FillAMemberOfTheirOwn) {
   }
 }
 
+TEST(Parameters, GivenTwoCases_ThenTheFirstThatDiffersIsFound) {
+  // Given a case in which one parameter is set, then it is the one that differs.
+  const Case empty;
+  EXPECT_EQ(first_difference(empty, empty), nullptr);
+  for (const Parameter& set : parameters()) {
+    Case input;
+    set_value(input, set, set.value);
+    if (value_in(empty, set) == set.value) continue;
+    EXPECT_EQ(first_difference(input, empty), &set) << set.key;
+  }
+  Case both;
+  both.fabric.wales = 3;
+  both.output.history_points = 5;
+  ASSERT_NE(first_difference(both, empty), nullptr);
+  EXPECT_EQ(first_difference(both, empty)->key, "fabric.wales");
+}
+
 TEST(Parameters, HaveTheirChoicesInTheOrderOfTheEnumeration) {
   Case input;
   set_value(input, *find_parameter("test.grips"), "sliding");
