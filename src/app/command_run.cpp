@@ -95,7 +95,8 @@ ExitCode run_command(const RunOptions& options) {
 
   if (talks) {
     const model::FabricFacts facts = model::describe(start.loaded.input, model);
-    fmt::print("{}", run_head_text(start.loaded, facts, *settings.mass_scaling, *settings.threads, folder, start.resumed_at()));
+    fmt::print("{}", run_head_text(start.loaded, facts, *settings.mass_scaling, *settings.threads, folder,
+                                   start.resumed_at()));
     std::fflush(stdout);
   }
   results::RunFolder results = open_folder(start);

@@ -26,7 +26,8 @@ namespace knitmech::app {
 
 /// What `run` prints before it begins. \param resumed_at strain of a run that goes on; empty for a new one
 [[nodiscard]] std::string run_head_text(const LoadedCase& loaded, const model::FabricFacts& facts, double mass_scaling,
-                                        int threads, const std::filesystem::path& folder, std::optional<double> resumed_at);
+                                        int threads, const std::filesystem::path& folder,
+                                        std::optional<double> resumed_at);
 
 /// What `run` prints of a run that has ended, as it should or not.
 [[nodiscard]] std::string run_end_text(const model::Model& model, const model::RunOutcome& outcome,

@@ -44,7 +44,8 @@ class EvenStretch {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(base::left_out(mass_of_, shared_mass_, gripped_, mass_, stretched_mass_), work_, damping_loss_);
+    archive(base::left_out(mass_of_, relative_, share_, shared_mass_, gripped_, mass_, stretched_mass_), work_,
+            damping_loss_);
   }
 
  private:

@@ -77,7 +77,9 @@ class ExplicitSolver {
   /// All that the solver remembers, in both directions. To be read into a solver of the same model and settings.
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(base::left_out(model_, settings_, team_, elements_, inertia_, nonlinear_, smallest_radius_, first_step_), pieces_);
+    archive(base::left_out(model_, settings_, team_, elements_, inertia_, masses_, nonlinear_, smallest_radius_,
+                           first_step_),
+            pieces_);
     if constexpr (Archive::is_loading::value) make_parts_of_pieces();
     archive(work_, folds_, contact_, ties_, grips_, pull_, state_, loads_, step_, kick_, step_in_use_, calm_looks_,
             breaks_, broken_, earlier_, untold_, n_gathered_, break_loss_, mass_damping_loss_, largest_penetration_,

@@ -35,7 +35,7 @@ class Grips {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(base::left_out(test_, held_, driven_), force_top_, force_bottom_, work_);
+    archive(base::left_out(test_, held_, driven_, on_held_, on_driven_), force_top_, force_bottom_, work_);
   }
 
  private:

@@ -128,7 +128,7 @@ void expect_same_outcome(const model::RunOutcome& a, const model::RunOutcome& b)
 
 class CheckpointOf : public testing::TestWithParam<Scene> {};
 
-TEST_P(CheckpointOf, ARun_GivenThatItGoesOnFromThere_ThenEveryRowAndFrameIsTheSameToTheLastBit) {
+TEST_P(CheckpointOf, ARun_GivenThatItGoesOnFromThere_OnAnyNumberOfThreads_ThenEveryRowAndFrameIsTheSameToTheLastBit) {
   const model::Model model = model_of(GetParam());
   const solve::SimulationSettings settings = settings_of(GetParam());
   const Heard whole = run(model, settings, 0);
@@ -140,9 +140,12 @@ TEST_P(CheckpointOf, ARun_GivenThatItGoesOnFromThere_ThenEveryRowAndFrameIsTheSa
   ASSERT_EQ(whole.outcome.breaks.empty(), !GetParam().strength);
   for (std::size_t k = 0; k < watched.checkpoints.size(); ++k) {
     SCOPED_TRACE(k);
-    const Heard resumed = run(model, settings, 0, watched.checkpoints[k]);
+    solve::SimulationSettings other_threads = settings;
+    other_threads.threads = 1 + static_cast<int>(k);
+    const Heard resumed = run(model, other_threads, 0, watched.checkpoints[k]);
     EXPECT_EQ(resumed.rows, after(whole.rows, watched.rows_at[k]));
     EXPECT_EQ(resumed.frames, after(whole.frames, watched.frames_at[k]));
+    EXPECT_EQ(resumed.outcome.threads, other_threads.threads);
     expect_same_outcome(resumed.outcome, whole.outcome);
     EXPECT_GT(resumed.outcome.wall_seconds, 0);
   }
