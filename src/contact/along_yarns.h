@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <vector>
 
 #include "contact/yarn_elements.h"
@@ -36,13 +35,8 @@ class ByElement {
 /// Distances and neighbourhoods along the yarns.
 struct AlongYarns {
   const YarnElements& elements;
-  double shortest = std::numeric_limits<double>::max();  ///< element [mm]
 
-  explicit AlongYarns(const YarnElements& of) : elements(of) {
-    for (std::size_t i = 0; i < of.n_nodes(); ++i) {
-      if (of.exists[i] != 0) shortest = std::min(shortest, of.length[i]);
-    }
-  }
+  explicit AlongYarns(const YarnElements& of) : elements(of) {}
   [[nodiscard]] double radii(YarnPlace a, YarnPlace b) const {
     return elements.radius[static_cast<std::size_t>(a.element)] + elements.radius[static_cast<std::size_t>(b.element)];
   }
@@ -56,7 +50,7 @@ struct AlongYarns {
   }
   /// How many elements to look at on each side for what is within reach.
   [[nodiscard]] std::int32_t elements_within(double reach) const {
-    return static_cast<std::int32_t>(std::min(reach / shortest, 1e6)) + 1;
+    return static_cast<std::int32_t>(std::min(reach / elements.shortest, 1e6)) + 1;
   }
 };
 

@@ -15,6 +15,12 @@ namespace knitmech::contact {
 ///
 ///     p = (D^2 - r^2) / (2 D)          = d to first order, d = D - r the penetration, D the sum of the radii
 
+/// Greatest depth that is computed with [mm]: finite numbers for a run that has gone wrong, so that it can say so. The
+/// centrelines meet at D / 2.
+KNITMECH_INLINE double deepest_depth(double radii) {
+  return 0.5 * 0.999999 * radii;
+}
+
 /// The law at a place.
 struct LawByDepth {
   double energy;   ///< e [mm^2]  =  D^2 (sqrt(1 - u) - 1 - ln(1 - u) / 2), u = 2 p / D;  = p^2 / 2 + ...

@@ -1,6 +1,7 @@
 #include "contact/chord_contacts.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "base/segment_distance.h"
 #include "contact/constants.h"
@@ -49,18 +50,25 @@ KNITMECH_INLINE Approach approach(const model::VectorArray& position, std::size_
 
 }  // namespace
 
-void look_at_chords(const ContactElements& elements, const model::VectorArray& position, const Motion& motion,
+void look_at_chords(const ContactElements& elements, const model::VectorArray& position, Motion& motion,
                     PairWatch& watch, std::vector<NearChords>& near) {
-  near.clear();
-  watch.look_at_all(elements, motion, [&](ElementPair pair) {
+  const std::vector<NearChords> before = std::exchange(near, {});
+  auto old = before.cbegin();
+  const auto keep_until = [&](ElementPair pair) {
+    for (; old != before.cend() && old->pair < pair; ++old) near.push_back(*old);
+    if (old != before.cend() && old->pair == pair) ++old;
+  };
+  watch.look_at_all(elements, kLookEarly * 2 * elements.largest_radius, motion, [&](ElementPair pair) {
+    keep_until(pair);
     const auto i = static_cast<std::size_t>(pair.first);
     const auto j = static_cast<std::size_t>(pair.second);
     const double radii = elements.radius[i] + elements.radius[j];
     const double gap = length(approach(position, i, j).between) - radii;
-    if (gap > kFollowed * radii) return gap - kFollowed * radii;
+    if (gap > kFollowed * radii) return gap;
     near.push_back({pair});
-    return 0.0;
+    return kLookAtPairAgain * radii;
   });
+  near.insert(near.end(), old, before.cend());
 }
 
 void find_chord_contacts(const YarnElements& elements, const Motion& motion, const model::VectorArray& position,

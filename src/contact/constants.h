@@ -8,6 +8,10 @@ namespace knitmech::contact {
 /// sleep.
 inline constexpr double kSkin = 0.8;
 
+/// Motion of an element, as a share of the skin, from which on its neighbours are searched when those of another have
+/// to be, at a half [-]. Smaller: fewer searches, of more elements each.
+inline constexpr double kSearchEarly = 0.25;
+
 /// Motion of a yarn after which all crossings are checked [yarn diameters]; see crossing_watch.h.
 inline constexpr double kCheckCrossings = 0.2;
 
@@ -50,15 +54,16 @@ inline constexpr double kStripMargin = 0.01;
 /// differ by less than this factor, it stays what it was.
 inline constexpr double kSidesAlike = 2.0;
 
-/// How near yarns are followed before they touch [sums of the radii]. Must be more than kLookAtPairAgain and kLookAgain
-/// together, since both yarns may move as far between two looks.
-inline constexpr double kFollowed = 0.08;
+/// How near yarns are followed before they touch [sums of the radii]. Larger: fewer looks, more places to follow.
+inline constexpr double kFollowed = 0.12;
 
-/// Motion of any yarn after which pairs that are awake are looked at anew [largest radius].
-inline constexpr double kLookAgain = 0.03;
+/// Motion of both yarns of a pair that is followed, until it is looked at again [sums of the radii]. Must be less than
+/// kFollowed: what comes within reach is then known before it touches.
+inline constexpr double kLookAtPairAgain = 0.11;
 
-/// Motion of both yarns of a pair that touches, until it is awake again [sums of the radii].
-inline constexpr double kLookAtPairAgain = 0.04;
+/// Motion that a pair must still have left to sleep on when others are looked at [sums of the radii]. Larger: fewer
+/// looks, at more pairs each.
+inline constexpr double kLookEarly = 0.05;
 
 /// Largest turn of a piece of the smooth centreline in the stress-free yarn [rad]. Elements that turn by more are cut
 /// for the contact: two pieces that hardly bend come closest in one place. Smaller: more pieces, more pairs to look at.

@@ -18,11 +18,13 @@ std::vector<ContactPoint> contact_points(const FollowedContacts& contacts) {
   for (const Crossing& crossing : contacts.crossings) {
     add(crossing.now, crossing.first, crossing.second, crossing.now.stick, points);
   }
-  for (const Strip& strip : contacts.strips) {
-    if (strip.at.element < strip.other.element) {
-      add(strip.now, strip.at, strip.other, strip.now.stick, points);
-    } else {
-      add(strip.now, strip.other, strip.at, flipped(strip.now.stick), points);
+  for (const Overlap& overlap : contacts.overlaps) {
+    for (const Strip& strip : overlap.laid) {
+      if (strip.at.element < strip.other.element) {
+        add(strip.now, strip.at, strip.other, strip.now.stick, points);
+      } else {
+        add(strip.now, strip.other, strip.at, flipped(strip.now.stick), points);
+      }
     }
   }
   return points;

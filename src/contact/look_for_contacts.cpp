@@ -31,6 +31,10 @@ constexpr double kBeyondEnd = 1.25;
 /// How far a crossing stands for what lies beyond that besides [sums of the radii].
 constexpr double kMarginOfReach = 0.25;
 
+/// Change of where a crossing lies or how far it reaches, which leaves the strips around it as they are [sums of the
+/// radii]; well below kMarginOfReach.
+constexpr double kLittleChange = 0.05;
+
 constexpr double kRiseOfShort = 0.8;
 constexpr double kRiseOfLong = 0.9;
 
@@ -67,23 +71,38 @@ class Look {
     const Vector3 along_second = second.end - second.start;
     const ClosestPoints chords = closest_points(first.start, along_first, second.start, along_second);
     const Vector3 apart = second.start + chords.t * along_second - first.start - chords.s * along_first;
-    looked_at_.all.push_back(pair);
+    looked_at_.pairs.push_back(pair);
+    looked_at_.may_touch.push_back(0);
     const double least = length(apart) - bulge(first) - bulge(second) - radii;
-    if (least > followed) return least - followed;
+    if (least > followed) return least;
 
     // Without a distinct closest place, what Newton's method stopped at says nothing about the rest of the pieces.
     const CurveApproach at = closest_on_curves(first, second, chords.s, chords.t);
     const double gap = length(at.between) - radii;
-    if (at.is_minimum && gap > followed) return gap - followed;
+    if (at.is_minimum && gap > followed) return gap;
     if (at.is_minimum && is_of_yarn(pieces_, pair.first, at.s, at.slope_s, dot(at.first_slope, at.first_slope)) &&
         is_of_yarn(pieces_, pair.second, at.t, at.slope_t, dot(at.second_slope, at.second_slope))) {
       add_crossing(place(pair.first, at.s), place(pair.second, at.t), gap);
     }
-    looked_at_.touching.push_back(pair);
+    looked_at_.may_touch.back() = 1;
     return kLookAtPairAgain * radii;
   }
 
-  [[nodiscard]] const PairsLookedAt& looked_at() const { return looked_at_; }
+  /// Notes crossings that have changed their reach so much that strips around them have to be laid anew.
+  void find_changed_reach() {
+    for (Crossing& crossing : contacts_.crossings) {
+      const CrossingReach now = crossing.reach();
+      if (is_as_laid(now, crossing.laid)) continue;
+      if (crossing.laid.counts) looked_at_.changed_reach.push_back(crossing.laid);
+      if (now.counts) looked_at_.changed_reach.push_back(now);
+      crossing.laid = now;
+    }
+  }
+  void dropped(const Crossing& crossing) {
+    if (crossing.laid.counts) looked_at_.changed_reach.push_back(crossing.laid);
+  }
+
+  [[nodiscard]] const LookedAt& looked_at() const { return looked_at_; }
 
   /// Leaves two closest places within one overlap to the strips: neither has a parabola of its own.
   void leave_doubles() {
@@ -124,6 +143,14 @@ class Look {
   [[nodiscard]] bool stands_for(const Crossing& crossing, YarnPlace first, YarnPlace second) const {
     return along_.near(crossing.first, first, crossing.first_reach) &&
            along_.near(crossing.second, second, crossing.second_reach);
+  }
+  [[nodiscard]] bool is_as_laid(const CrossingReach& now, const CrossingReach& laid) const {
+    if (now.counts != laid.counts) return false;
+    if (!now.counts) return true;
+    const double little = kLittleChange * along_.radii(now.first, now.second);
+    return along_.near(now.first, laid.first, little) && along_.near(now.second, laid.second, little) &&
+           std::abs(now.along_first - laid.along_first) < little &&
+           std::abs(now.along_second - laid.along_second) < little;
   }
   static void leave(Crossing& crossing) {
     crossing.is_short = false;
@@ -198,44 +225,66 @@ class Look {
   const ContactMemory& memory_;
   FollowedContacts& contacts_;
   ByElement crossings_on_;
-  PairsLookedAt looked_at_;
+  LookedAt looked_at_;
 };
 
-/// Drops crossings that have come apart, have run into each other, or are left to strips.
-void drop(const YarnElements& elements, std::vector<Crossing>& crossings) {
+/// Follows the crossings that are asleep to where they are now.
+void rouse(const YarnElements& elements, const Centreline& line, std::vector<Crossing>& crossings) {
+  const AlongYarns along(elements);
+  for (Crossing& crossing : crossings) {
+    if (crossing.wake <= 0) continue;
+    const Followed here = follow_closest(elements, line, crossing.first, crossing.second);
+    crossing.first = here.first;
+    crossing.second = here.second;
+    crossing.gap = length(here.at.between) - along.radii(here.first, here.second);
+    crossing.is_minimum = here.is_minimum;
+    crossing.wake = 0;
+  }
+}
+
+/// Whether a crossing has come apart or is left to strips.
+bool is_over(const AlongYarns& along, const Crossing& crossing) {
+  return !crossing.is_short || !crossing.is_minimum ||
+         crossing.gap >= 2 * kFollowed * along.radii(crossing.first, crossing.second);
+}
+
+/// Takes out crossings that are over or have run into each other. \return those
+std::vector<Crossing> drop(const YarnElements& elements, std::vector<Crossing>& crossings) {
   const AlongYarns along(elements);
   ByElement kept_on(elements.n_nodes());
   std::vector<Crossing> kept;
+  std::vector<Crossing> dropped;
   for (const Crossing& crossing : crossings) {
-    const double radii = along.radii(crossing.first, crossing.second);
-    const double together = 0.1 * kSamePlace * radii;
-    bool stays = crossing.is_short && crossing.is_minimum && crossing.gap < 2 * kFollowed * radii;
+    const double together = 0.1 * kSamePlace * along.radii(crossing.first, crossing.second);
+    bool stays = !is_over(along, crossing);
     kept_on.around(crossing.first.element, 1, [&](std::size_t i) {
       stays = stays && !(along.near(kept[i].first, crossing.first, together) &&
                          along.near(kept[i].second, crossing.second, together));
     });
-    if (!stays) continue;
-    kept_on.add(crossing.first.element);
-    kept.push_back(crossing);
+    if (stays) kept_on.add(crossing.first.element);
+    (stays ? kept : dropped).push_back(crossing);
   }
   crossings = std::move(kept);
+  return dropped;
 }
 
 }  // namespace
 
 void look_for_contacts(const YarnElements& elements, const ContactElements& pieces, const Centreline& line,
-                       const Motion& motion, PairWatch& watch, FollowedContacts& contacts) {
-  FollowedContacts before;
-  before.crossings = contacts.crossings;
-  before.strips = std::move(contacts.strips);
-  const ContactMemory memory(elements, before);
-  drop(elements, contacts.crossings);
+                       Motion& motion, PairWatch& watch, FollowedContacts& contacts) {
+  rouse(elements, line, contacts.crossings);
+  ContactMemory memory(elements, pieces, contacts);
+  const std::vector<Crossing> dropped = drop(elements, contacts.crossings);
   Look look(elements, pieces, line, memory, contacts);
-  watch.look_at_all(pieces, motion, [&](ElementPair pair) { return look.at(pair); });
+  for (const Crossing& crossing : dropped) look.dropped(crossing);
+  watch.look_at_all(pieces, kLookEarly * 2 * pieces.largest_radius, motion,
+                    [&](ElementPair pair) { return look.at(pair); });
   look.leave_doubles();
+  look.find_changed_reach();
   lay_strips(
       elements, pieces, line, look.looked_at(),
       [&](YarnPlace first, YarnPlace second) { return look.is_counted(first, second); }, memory, contacts);
+  contacts.asks_for_look = false;
 }
 
 }  // namespace knitmech::contact

@@ -16,6 +16,6 @@ namespace knitmech::contact {
 /// How an overlap is counted, about its closest places or by strips, is decided here and stays until the next look: a
 /// share that followed the overlap in every step would be a force without an energy, and heat the yarns up.
 void look_for_contacts(const YarnElements& elements, const ContactElements& pieces, const Centreline& line,
-                       const Motion& motion, PairWatch& watch, FollowedContacts& contacts);
+                       Motion& motion, PairWatch& watch, FollowedContacts& contacts);
 
 }  // namespace knitmech::contact

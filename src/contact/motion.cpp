@@ -1,6 +1,7 @@
 #include "contact/motion.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "base/vectorise.h"
 
@@ -8,23 +9,24 @@ namespace knitmech::contact {
 
 namespace {
 
-struct Largest {
-  double ever, now;
-};
-
-/// An element moves by no more than the node that moved more.
-KNITMECH_VECTORISE Largest add_moves(const double* moved, double besides, double* __restrict of_element,
-                                     std::size_t n) {
-  double ever = 0;
-  double now = 0;
-#pragma omp simd reduction(max : ever, now)
+/// An element moves by no more than the node that moved more. \return largest motion minus bound [mm]
+KNITMECH_VECTORISE double add_moves(const double* moved, double besides, const double* bound,
+                                    double* __restrict of_element, std::size_t n) {
+  double beyond = std::numeric_limits<double>::lowest();
+#pragma omp simd reduction(max : beyond)
   for (std::size_t i = 0; i < n; ++i) {
-    const double here = (moved[i] > moved[i + 1] ? moved[i] : moved[i + 1]) + besides;
-    of_element[i] += here;
-    now = now > here ? now : here;
-    ever = ever > of_element[i] ? ever : of_element[i];
+    const double all = of_element[i] + (moved[i] > moved[i + 1] ? moved[i] : moved[i + 1]) + besides;
+    of_element[i] = all;
+    beyond = beyond > all - bound[i] ? beyond : all - bound[i];
   }
-  return {ever, now};
+  return beyond;
+}
+
+/// Over all elements; the last node starts none.
+double largest_difference(const std::vector<double>& a, const std::vector<double>& b) {
+  double largest = 0;
+  for (std::size_t i = 0; i + 1 < a.size(); ++i) largest = std::max(largest, a[i] - b[i]);
+  return largest;
 }
 
 }  // namespace
@@ -51,14 +53,22 @@ CommonMotion fit_common_motion(const model::State& state) {
 }
 
 void Motion::add(const std::vector<double>& moved, double besides) {
-  const Largest largest = add_moves(moved.data(), besides, of_element_.data(), of_element_.size() - 1);
-  largest_ = largest.ever;
-  since_look_ += largest.now;
+  has_reached_a_bound_ =
+      add_moves(moved.data(), besides, bound_.data(), of_element_.data(), of_element_.size() - 1) >= 0;
 }
 
-void Motion::start_anew() {
-  std::fill(of_element_.begin(), of_element_.end(), 0.0);
-  largest_ = since_look_ = 0;
+double Motion::largest_since_search() const {
+  return largest_difference(of_element_, searched_);
+}
+
+double Motion::largest_since_check() const {
+  return largest_difference(of_element_, checked_);
+}
+
+void Motion::set_bounds(double since_search, double since_check) {
+  for (std::size_t i = 0; i < bound_.size(); ++i) {
+    bound_[i] = std::min(searched_[i] + since_search, checked_[i] + since_check);
+  }
 }
 
 }  // namespace knitmech::contact

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -22,36 +23,49 @@ struct CommonMotion {
 /// The common motion that fits the velocities best (least squares).
 [[nodiscard]] CommonMotion fit_common_motion(const model::State& state);
 
-/// How far the yarns have moved beside the common motion since the neighbours were last searched: two points whose
-/// elements have moved by p and q are nearer by p + q at most. Lets pairs of yarns that are apart sleep.
+/// How far the yarns have moved beside the common motion since the start, along their paths: two points whose elements
+/// have moved by p and q meanwhile are nearer by p + q at most. Lets pairs of yarns that are apart sleep.
+///
+/// Each element has a bound, up to which nothing has to be done about it.
 class Motion {
  public:
-  explicit Motion(std::size_t n_nodes) : of_element_(n_nodes, 0.0) {}
+  explicit Motion(std::size_t n_nodes)
+      : of_element_(n_nodes, 0.0), searched_(n_nodes, -1e300), checked_(n_nodes, 0.0), bound_(n_nodes, 0.0) {}
 
   /// Adds a step. \param moved how far each node's part of the centreline moved in it, one entry per node [mm]
   /// \param besides what the common motion may bring two yarns in contact nearer to each other, half of it [mm]
   void add(const std::vector<double>& moved, double besides);
 
-  /// Forgets the past, when the neighbours are searched anew.
-  void start_anew();
-  /// Marks that all pairs that might touch have been looked at.
-  void looked() { since_look_ = 0; }
-
-  /// Motion of an element since the last search [mm].
+  /// Motion of an element since the start [mm].
   [[nodiscard]] double of(std::size_t element) const { return of_element_[element]; }
-  /// Largest of any element since the last search [mm].
-  [[nodiscard]] double largest() const { return largest_; }
-  /// Bound of the motion of any element since the last look [mm].
-  [[nodiscard]] double since_look() const { return since_look_; }
+  /// Since its neighbours were last searched [mm].
+  [[nodiscard]] double since_search(std::size_t element) const { return of_element_[element] - searched_[element]; }
+  [[nodiscard]] double largest_since_search() const;
+  /// Largest of any element since the crossings were last checked [mm].
+  [[nodiscard]] double largest_since_check() const;
+
+  /// Notes that the neighbours of an element have been searched, that all crossings have been checked.
+  void searched(std::size_t element) { searched_[element] = of_element_[element]; }
+  void checked() { checked_ = of_element_; }
+
+  /// Bounds every element by what it may move since its search and since the check [mm].
+  void set_bounds(double since_search, double since_check);
+  /// Bounds two elements so that one of them reaches its bound before both together have moved by `more` from now on.
+  void bound(std::size_t first, std::size_t second, double more) {
+    bound_[first] = std::min(bound_[first], of_element_[first] + 0.5 * more);
+    bound_[second] = std::min(bound_[second], of_element_[second] + 0.5 * more);
+  }
+  /// Whether an element had reached its bound in the last step.
+  [[nodiscard]] bool has_reached_a_bound() const { return has_reached_a_bound_; }
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(of_element_, largest_, since_look_);
+    archive(of_element_, searched_, checked_, bound_, has_reached_a_bound_);
   }
 
  private:
-  std::vector<double> of_element_;
-  double largest_ = 0, since_look_ = 0;
+  std::vector<double> of_element_, searched_, checked_, bound_;
+  bool has_reached_a_bound_ = false;
 };
 
 }  // namespace knitmech::contact

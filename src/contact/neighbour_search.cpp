@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
-#include <limits>
+#include <cstdint>
 #include <numbers>
 
 #include "base/segment_distance.h"
@@ -13,93 +14,95 @@ namespace knitmech::contact {
 
 namespace {
 
-/// Element middles and the uniform grid over them.
-struct Grid {
-  std::vector<Vector3> middle;             ///< [mm], one entry per node
-  Vector3 origin{};                        ///< [mm]
-  double cell = 0;                         ///< edge length [mm]
-  std::array<std::int64_t, 3> n{1, 1, 1};  ///< cells along x, y, z
-  std::vector<std::int32_t> start;         ///< first entry of `members` of each cell, and the end
-  std::vector<std::int32_t> members;       ///< elements, cell by cell
+Vector3 middle_of(const model::VectorArray& position, std::size_t element) {
+  return 0.5 * (position.at(element) + position.at(element + 1));
+}
 
-  [[nodiscard]] std::array<std::int64_t, 3> cell_of(Vector3 p) const {
-    return {static_cast<std::int64_t>((p.x - origin.x) / cell), static_cast<std::int64_t>((p.y - origin.y) / cell),
-            static_cast<std::int64_t>((p.z - origin.z) / cell)};
-  }
-  [[nodiscard]] std::size_t index(const std::array<std::int64_t, 3>& c) const {
-    return static_cast<std::size_t>((c[2] * n[1] + c[1]) * n[0] + c[0]);
-  }
-};
+/// A cell of the grid, by its place in x, y and z.
+using Cell = std::array<std::int64_t, 3>;
 
-struct Box {
-  Vector3 low{std::numeric_limits<double>::max(), std::numeric_limits<double>::max(),
-              std::numeric_limits<double>::max()};
-  Vector3 high{std::numeric_limits<double>::lowest(), std::numeric_limits<double>::lowest(),
-               std::numeric_limits<double>::lowest()};
-  void add(Vector3 p) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-  }
-};
-
-/// Cells at least as long as the reach of an element, and not many more of them than elements.
-void choose_cells(Grid& grid, const Box& box, double reach, std::size_t n_elements) {
-  grid.origin = box.low;
-  grid.cell = reach;
-  const Vector3 size = box.high - box.low;
-  const double most_cells = 8.0 * static_cast<double>(n_elements) + 64;
-  for (;;) {
-    const double nx = std::floor(size.x / grid.cell) + 1;
-    const double ny = std::floor(size.y / grid.cell) + 1;
-    const double nz = std::floor(size.z / grid.cell) + 1;
-    if (nx * ny * nz <= most_cells) {
-      grid.n = {static_cast<std::int64_t>(nx), static_cast<std::int64_t>(ny), static_cast<std::int64_t>(nz)};
-      return;
+/// The elements by the cell of a uniform grid that their middle lies in. Cells have no table of their own, which would
+/// be huge for a fabric that curls, or of which a yarn hangs far out: they are folded into as many buckets as there are
+/// elements, cells that follow each other along x into buckets that do.
+class Grid {
+ public:
+  Grid(const ContactElements& elements, const model::VectorArray& position, double reach) : position_(position) {
+    std::size_t n_elements = 0;
+    double longest = 0;
+    for (std::size_t i = 0; i < elements.n_nodes(); ++i) {
+      if (elements.exists[i] == 0) continue;
+      longest = std::max(longest, length(position.at(i + 1) - position.at(i)));
+      ++n_elements;
     }
-    grid.cell *= 1.25;
+    cell_ = longest + reach;
+    const std::size_t n_buckets = std::bit_ceil(std::max(n_elements, kAlongX));
+    mask_ = n_buckets - 1;
+    sort_into_buckets(elements, n_elements);
   }
-}
 
-Grid make_grid(const ContactElements& elements, const model::VectorArray& position, double reach) {
-  Grid grid;
-  grid.middle.resize(elements.n_nodes());
-  Box box;
-  double longest = 0;
-  std::size_t n_elements = 0;
-  for (std::size_t i = 0; i < elements.n_nodes(); ++i) {
-    if (!elements.exists[i]) continue;
-    grid.middle[i] = 0.5 * (position.at(i) + position.at(i + 1));
-    longest = std::max(longest, length(position.at(i + 1) - position.at(i)));
-    box.add(grid.middle[i]);
-    ++n_elements;
+  /// Calls for every other element whose middle lies in the cell of this one's or in an adjacent one.
+  template <typename Call>
+  void around(std::size_t element, const Call& call) const {
+    const Cell home = cell_of(element);
+    for (std::int64_t z = home[2] - 1; z <= home[2] + 1; ++z) {
+      for (std::int64_t y = home[1] - 1; y <= home[1] + 1; ++y) {
+        for (std::int64_t x = home[0] - 1; x <= home[0] + 1; ++x) {
+          const std::size_t bucket = bucket_of({x, y, z});
+          for (std::int32_t m = start_[bucket]; m < start_[bucket + 1]; ++m) {
+            const auto other = static_cast<std::size_t>(members_[static_cast<std::size_t>(m)]);
+            if (other != element && cell_of(other) == Cell{x, y, z}) call(other);
+          }
+        }
+      }
+    }
   }
-  choose_cells(grid, box, longest + reach, n_elements);
 
-  std::vector<std::int32_t> cell_of(elements.n_nodes(), -1);
-  grid.start.assign(static_cast<std::size_t>(grid.n[0] * grid.n[1] * grid.n[2]) + 1, 0);
-  for (std::size_t i = 0; i < elements.n_nodes(); ++i) {
-    if (!elements.exists[i]) continue;
-    const std::size_t cell = grid.index(grid.cell_of(grid.middle[i]));
-    cell_of[i] = static_cast<std::int32_t>(cell);
-    ++grid.start[cell + 1];
+ private:
+  static constexpr std::size_t kAlongX = 4;  ///< so that adjacent cells along x are different buckets
+
+  [[nodiscard]] Cell cell_of(std::size_t element) const {
+    const Vector3 p = (1 / cell_) * middle_of(position_, element);
+    return {static_cast<std::int64_t>(std::floor(p.x)), static_cast<std::int64_t>(std::floor(p.y)),
+            static_cast<std::int64_t>(std::floor(p.z))};
   }
-  for (std::size_t c = 1; c < grid.start.size(); ++c) grid.start[c] += grid.start[c - 1];
-  std::vector<std::int32_t> next(grid.start.begin(), grid.start.end() - 1);
-  grid.members.resize(n_elements);
-  for (std::size_t i = 0; i < elements.n_nodes(); ++i) {
-    if (cell_of[i] < 0) continue;
-    const auto slot = static_cast<std::size_t>(next[static_cast<std::size_t>(cell_of[i])]++);
-    grid.members[slot] = static_cast<std::int32_t>(i);
+
+  /// The factors spread rows of cells over the buckets (Teschner et al. 2003, "Optimized spatial hashing").
+  [[nodiscard]] std::size_t bucket_of(const Cell& cell) const {
+    const auto y = static_cast<std::uint64_t>(cell[1]) * 19349663U;
+    const auto z = static_cast<std::uint64_t>(cell[2]) * 83492791U;
+    return static_cast<std::size_t>(((y ^ z) + static_cast<std::uint64_t>(cell[0])) & mask_);
   }
-  return grid;
-}
+
+  void sort_into_buckets(const ContactElements& elements, std::size_t n_elements) {
+    start_.assign(mask_ + 2, 0);
+    for (std::size_t i = 0; i < elements.n_nodes(); ++i) {
+      if (elements.exists[i] != 0) ++start_[bucket_of(cell_of(i)) + 1];
+    }
+    for (std::size_t b = 1; b < start_.size(); ++b) start_[b] += start_[b - 1];
+    members_.resize(n_elements);
+    // Backwards, from the end of each bucket, after which the ends have become the starts.
+    for (std::size_t i = elements.n_nodes(); i-- > 0;) {
+      if (elements.exists[i] == 0) continue;
+      std::int32_t& end = start_[bucket_of(cell_of(i)) + 1];
+      members_[static_cast<std::size_t>(--end)] = static_cast<std::int32_t>(i);
+    }
+    std::rotate(start_.begin(), start_.begin() + 1, start_.end());
+    start_.back() = static_cast<std::int32_t>(n_elements);
+  }
+
+  const model::VectorArray& position_;
+  double cell_ = 0;                    ///< edge length [mm]
+  std::uint64_t mask_ = 0;             ///< number of buckets, a power of two, minus 1
+  std::vector<std::int32_t> start_;    ///< first entry of `members_` of each bucket, and the end
+  std::vector<std::int32_t> members_;  ///< elements, bucket by bucket
+};
 
 /// Distance of two elements' chords against a reach [mm], with a cheap look at the middles first.
-bool within_reach(const model::VectorArray& position, const Grid& grid, std::size_t a, std::size_t b, double reach) {
+bool within_reach(const model::VectorArray& position, std::size_t a, std::size_t b, double reach) {
   const Vector3 u = position.at(a + 1) - position.at(a);
   const Vector3 v = position.at(b + 1) - position.at(b);
   const double far = reach + 0.5 * (length(u) + length(v));
-  const Vector3 between = grid.middle[b] - grid.middle[a];
+  const Vector3 between = middle_of(position, b) - middle_of(position, a);
   if (dot(between, between) > far * far) return false;
   const ClosestPoints at = closest_points(position.at(a), u, position.at(b), v);
   const Vector3 gap = position.at(b) + at.t * v - position.at(a) - at.s * u;
@@ -116,30 +119,27 @@ bool too_near_along_yarn(const ContactElements& elements, std::size_t first, std
 }
 
 std::vector<ElementPair> find_neighbours(const ContactElements& elements, const model::VectorArray& position,
-                                         const std::vector<double>& bulge, double skin) {
+                                         const std::vector<double>& bulge, double skin, const std::vector<char>& is_due,
+                                         SearchCost* cost) {
   const double largest_bulge = *std::max_element(bulge.begin(), bulge.end());
-  const Grid grid = make_grid(elements, position, 2 * elements.largest_radius + skin + 2 * largest_bulge);
+  const Grid grid(elements, position, 2 * elements.largest_radius + skin + 2 * largest_bulge);
+  const auto due = [&](std::size_t element) { return is_due.empty() || is_due[element] != 0; };
   std::vector<ElementPair> pairs;
+  std::int64_t compared = 0;
   for (std::size_t a = 0; a < elements.n_nodes(); ++a) {
-    if (!elements.exists[a]) continue;
-    const auto first_of_row = pairs.size();
-    const auto home = grid.cell_of(grid.middle[a]);
-    for (std::int64_t z = std::max<std::int64_t>(home[2] - 1, 0); z <= std::min(home[2] + 1, grid.n[2] - 1); ++z) {
-      for (std::int64_t y = std::max<std::int64_t>(home[1] - 1, 0); y <= std::min(home[1] + 1, grid.n[1] - 1); ++y) {
-        const std::size_t from = grid.index({std::max<std::int64_t>(home[0] - 1, 0), y, z});
-        const std::size_t to = grid.index({std::min(home[0] + 1, grid.n[0] - 1), y, z});
-        for (auto m = grid.start[from]; m < grid.start[to + 1]; ++m) {
-          const auto b = static_cast<std::size_t>(grid.members[static_cast<std::size_t>(m)]);
-          if (b <= a || too_near_along_yarn(elements, a, b)) continue;
-          const double reach = elements.radius[a] + elements.radius[b] + skin + bulge[a] + bulge[b];
-          if (!within_reach(position, grid, a, b, reach)) continue;
-          pairs.push_back({static_cast<std::int32_t>(a), static_cast<std::int32_t>(b)});
-        }
-      }
-    }
-    std::sort(pairs.begin() + static_cast<std::ptrdiff_t>(first_of_row), pairs.end(),
-              [](ElementPair p, ElementPair q) { return p.second < q.second; });
+    if (elements.exists[a] == 0 || !due(a)) continue;
+    grid.around(a, [&](std::size_t b) {
+      if (b < a && due(b)) return;  // found from there
+      ++compared;
+      const auto [first, second] = std::minmax(a, b);
+      if (too_near_along_yarn(elements, first, second)) return;
+      const double reach = elements.radius[a] + elements.radius[b] + skin + bulge[a] + bulge[b];
+      if (!within_reach(position, first, second, reach)) return;
+      pairs.push_back({static_cast<std::int32_t>(first), static_cast<std::int32_t>(second)});
+    });
   }
+  std::sort(pairs.begin(), pairs.end());
+  if (cost != nullptr) cost->compared = compared;
   return pairs;
 }
 

@@ -3,66 +3,73 @@
 #include <algorithm>
 
 #include "base/vectorise.h"
+#include "contact/cell_law.h"
 
 namespace knitmech::contact {
 
 namespace {
 
-/// One component of a block's points: value at the start, and what the weights multiply.
-struct Component {
-  double start, along, start_slope, end_slope, bow;
+/// A curve without its start, which the points are computed from: their weights add up to one.
+struct Around {
+  Vector3 start, along, start_slope, end_slope, bow;
+  explicit Around(const Curve& of)
+      : start(of.start), along(of.end - of.start), start_slope(of.start_slope), end_slope(of.end_slope), bow(of.bow) {}
+  [[nodiscard]] KNITMECH_INLINE Vector3 at(double end, double slope_start, double slope_end, double on_bow) const {
+    return start + end * along + slope_start * start_slope + slope_end * end_slope + on_bow * bow;
+  }
 };
 
-KNITMECH_VECTORISE void interpolate(std::size_t n, const Component& by, const double* on_end,
-                                    const double* on_start_slope, const double* on_end_slope, const double* on_bow,
-                                    double* values) {
-#pragma omp simd
-  for (std::size_t i = 0; i < n; ++i) {
-    values[i] = by.start + on_end[i] * by.along + on_start_slope[i] * by.start_slope + on_end_slope[i] * by.end_slope +
-                on_bow[i] * by.bow;
+struct PointArrays {
+  double *on_end, *on_start_slope, *on_end_slope, *on_bow, *x, *y, *z, *vx, *vy, *vz;
+};
+
+KNITMECH_VECTORISE void place(const PlaceRow row, const Around position, const Around velocity, const PointArrays to) {
+#pragma GCC ivdep
+  for (std::size_t i = 0; i < row.n; ++i) {
+    const double s = row.first + static_cast<double>(static_cast<int>(i)) * row.step;
+    const HermiteWeights by = hermite(s);
+    to.on_end[i] = by.end;
+    to.on_start_slope[i] = by.start_slope;
+    to.on_end_slope[i] = by.end_slope;
+    to.on_bow[i] = by.bow;
+    const Vector3 x = position.at(by.end, by.start_slope, by.end_slope, by.bow);
+    const Vector3 v = velocity.at(by.end, by.start_slope, by.end_slope, by.bow);
+    to.x[i] = x.x;
+    to.y[i] = x.y;
+    to.z[i] = x.z;
+    to.vx[i] = v.x;
+    to.vy[i] = v.y;
+    to.vz[i] = v.z;
   }
 }
 
-double x_of(Vector3 v) {
-  return v.x;
-}
-double y_of(Vector3 v) {
-  return v.y;
-}
-double z_of(Vector3 v) {
-  return v.z;
+KNITMECH_VECTORISE void depths(Vector3 place, double radii, std::size_t n, const double* x, const double* y,
+                               const double* z, double* depth) {
+  const double inverse = 1 / radii;
+  const double deepest = deepest_depth(radii);
+#pragma GCC ivdep
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vector3 between{x[i] - place.x, y[i] - place.y, z[i] - place.z};
+    const double value = 0.5 * (radii - dot(between, between) * inverse);
+    depth[i] = value < deepest ? value : deepest;
+  }
 }
 
 }  // namespace
 
-void PlacedPoints::clear() {
-  blocks_.clear();
-  in_use_.clear();
-  element_.clear();
-  for (auto* values : {&share_, &on_end_, &on_start_slope_, &on_end_slope_, &on_bow_, &x_, &y_, &z_, &vx_, &vy_, &vz_,
-                       &fx_, &fy_, &fz_}) {
-    values->clear();
+void PlacedPoints::make_room(std::size_t n) {
+  if (n <= x_.size()) return;
+  const std::size_t room = std::max(n, 2 * x_.size());
+  for (auto* values : {&on_end_, &on_start_slope_, &on_end_slope_, &on_bow_, &x_, &y_, &z_, &vx_, &vy_, &vz_}) {
+    values->resize(room);
   }
 }
 
-std::size_t PlacedPoints::add(std::int32_t element, const std::vector<double>& shares) {
-  const std::size_t first = size();
-  blocks_.push_back({element, first, shares.size()});
-  for (const double share : shares) {
-    const HermiteWeights weights = hermite(share);
-    element_.push_back(element);
-    share_.push_back(share);
-    on_end_.push_back(weights.end);
-    on_start_slope_.push_back(weights.start_slope);
-    on_end_slope_.push_back(weights.end_slope);
-    on_bow_.push_back(weights.bow);
-  }
-  for (auto* values : {&x_, &y_, &z_, &vx_, &vy_, &vz_, &fx_, &fy_, &fz_}) values->resize(first + shares.size());
-  return first;
-}
-
-void PlacedPoints::update(Block& block, const Centreline& line, const model::State& state) {
-  const auto i = static_cast<std::size_t>(block.element);
+std::size_t PlacedPoints::add(const PlaceRow& row, const Centreline& line, const model::State& state) {
+  const std::size_t first = n_;
+  make_room(n_ + row.n);
+  n_ += row.n;
+  const auto i = static_cast<std::size_t>(row.element);
   const ElementLine element = line.element(i);
   const Curve curve = element.curve();
   const Vector3 start_turning = state.angular_velocity.at(i);
@@ -70,45 +77,20 @@ void PlacedPoints::update(Block& block, const Centreline& line, const model::Sta
   const Curve moving{state.velocity.at(i), state.velocity.at(i + 1), cross(start_turning, curve.start_slope),
                      cross(end_turning, curve.end_slope),
                      cross(start_turning, element.start_bow) + cross(end_turning, element.end_bow)};
-  const std::size_t at = block.first;
-  const auto fill = [&](const Curve& of, double (*component)(Vector3), std::vector<double>& values) {
-    const double start = component(of.start);
-    interpolate(
-        block.count,
-        {start, component(of.end) - start, component(of.start_slope), component(of.end_slope), component(of.bow)},
-        &on_end_[at], &on_start_slope_[at], &on_end_slope_[at], &on_bow_[at], &values[at]);
-  };
-  fill(curve, x_of, x_);
-  fill(curve, y_of, y_);
-  fill(curve, z_of, z_);
-  fill(moving, x_of, vx_);
-  fill(moving, y_of, vy_);
-  fill(moving, z_of, vz_);
-  for (auto* values : {&fx_, &fy_, &fz_})
-    std::fill_n(values->begin() + static_cast<std::ptrdiff_t>(at), block.count, 0.0);
-  block.step = step_;
+  place(row, Around(curve), Around(moving),
+        {&on_end_[first], &on_start_slope_[first], &on_end_slope_[first], &on_bow_[first], &x_[first], &y_[first],
+         &z_[first], &vx_[first], &vy_[first], &vz_[first]});
+  return first;
 }
 
-void PlacedPoints::give_forces(const Centreline& line, model::NodalLoads& loads) const {
-  for (const std::size_t b : in_use_) {
-    const Block& block = blocks_[b];
-    Vector3 all{}, on_end{}, turns_start{}, turns_end{}, on_bow{};
-    for (std::size_t p = block.first; p < block.first + block.count; ++p) {
-      const Vector3 force{fx_[p], fy_[p], fz_[p]};
-      all = all + force;
-      on_end = on_end + on_end_[p] * force;
-      turns_start = turns_start + on_start_slope_[p] * force;
-      turns_end = turns_end + on_end_slope_[p] * force;
-      on_bow = on_bow + on_bow_[p] * force;
-    }
-    if (dot(all, all) + dot(turns_start, turns_start) + dot(turns_end, turns_end) == 0) continue;
-    const auto i = static_cast<std::size_t>(block.element);
-    const ElementLine element = line.element(i);
-    loads.force.add(i, all - on_end);
-    loads.force.add(i + 1, on_end);
-    loads.moment.add(i, element.length * cross(element.start_tangent, turns_start) + cross(element.start_bow, on_bow));
-    loads.moment.add(i + 1, element.length * cross(element.end_tangent, turns_end) + cross(element.end_bow, on_bow));
-  }
+void PlacedPoints::depths_below(Vector3 place, double radii, std::size_t first, std::size_t n, double* depth) const {
+  depths(place, radii, n, &x_[first], &y_[first], &z_[first], depth);
+}
+
+EndLoads to_nodes(const ElementLine& element, const RowLoad& load) {
+  return {load.all - load.on_end, load.on_end,
+          element.length * cross(element.start_tangent, load.turns_start) + cross(element.start_bow, load.on_bow),
+          element.length * cross(element.end_tangent, load.turns_end) + cross(element.end_bow, load.on_bow)};
 }
 
 }  // namespace knitmech::contact

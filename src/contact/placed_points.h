@@ -1,72 +1,58 @@
 #pragma once
 
-#include <cstdint>
+#include <cstddef>
 #include <vector>
 
 #include "contact/centreline.h"
+#include "model/state.h"
 
 namespace knitmech::contact {
 
-/// Points that stay at their places of the yarns and move with them: positions and velocities from the nodes, forces
-/// back to the nodes with the same weights, so that both do the same work.
-///
-/// Points come in blocks that lie on one element each, and a step brings only those blocks up to date that it needs;
-/// the vectors have one entry per point.
+/// Evenly spaced places on an element: share = first + i step.
+struct PlaceRow {
+  std::int32_t element = 0;
+  double first = 0, step = 0;
+  std::size_t n = 0;
+};
+
+/// Forces on places of one element, summed up with what each does to the two nodes.
+struct RowLoad {
+  Vector3 all{}, on_end{}, turns_start{}, turns_end{}, on_bow{};
+};
+
+/// Points of the material on several rows of places, side by side in arrays, so that they are computed side by side.
 class PlacedPoints {
  public:
-  void clear();
-  /// Adds a block of points. \param shares of the way along the element \return index of its first point; that of the
-  /// block is the number of blocks before
-  std::size_t add(std::int32_t element, const std::vector<double>& shares);
-  [[nodiscard]] std::size_t n_blocks() const { return blocks_.size(); }
+  void clear() { n_ = 0; }
+  [[nodiscard]] std::size_t size() const { return n_; }
 
-  [[nodiscard]] std::size_t size() const { return x_.size(); }
-  [[nodiscard]] YarnPlace place(std::size_t point) const { return {element_[point], share_[point]}; }
+  /// Adds the points of a row as they are now. \return number of the first of them; the others follow
+  std::size_t add(const PlaceRow& row, const Centreline& line, const model::State& state);
+
   [[nodiscard]] Vector3 position(std::size_t point) const { return {x_[point], y_[point], z_[point]}; }     ///< [mm]
   [[nodiscard]] Vector3 velocity(std::size_t point) const { return {vx_[point], vy_[point], vz_[point]}; }  ///< [mm/s]
 
-  /// Begins a step, in which nothing is up to date yet.
-  void begin_step() { ++step_, in_use_.clear(); }
-  /// Takes positions and velocities of a block from the nodes and forgets its forces, if this step has not yet.
-  void bring(std::size_t block, const Centreline& line, const model::State& state) {
-    if (blocks_[block].step == step_) return;
-    update(blocks_[block], line, state);
-    in_use_.push_back(block);
-  }
-  void add_force(std::size_t point, Vector3 force) {
-    fx_[point] += force.x;
-    fy_[point] += force.y;
-    fz_[point] += force.z;
-  }
-  /// Gives the forces on all blocks of this step to the nodes.
-  void give_forces(const Centreline& line, model::NodalLoads& loads) const;
+  /// Depths by squares (cell_law.h) of n points below a place [mm].
+  void depths_below(Vector3 place, double radii, std::size_t first, std::size_t n, double* depth) const;
 
-  template <class Archive>
-  void serialize(Archive& archive) {
-    archive(blocks_, in_use_, step_, element_, share_, on_end_, on_start_slope_, on_end_slope_, on_bow_, x_, y_, z_,
-            vx_, vy_, vz_, fx_, fy_, fz_);
+  /// Adds a force on a point to the load of its row.
+  void add_force(std::size_t point, Vector3 force, RowLoad& load) const {
+    load.all = load.all + force;
+    load.on_end = load.on_end + on_end_[point] * force;
+    load.turns_start = load.turns_start + on_start_slope_[point] * force;
+    load.turns_end = load.turns_end + on_end_slope_[point] * force;
+    load.on_bow = load.on_bow + on_bow_[point] * force;
   }
 
  private:
-  struct Block {
-    std::int32_t element = 0;
-    std::size_t first = 0, count = 0;
-    long step = 0;  ///< in which it was brought up to date
+  void make_room(std::size_t n);
 
-    template <class Archive>
-    void serialize(Archive& archive) {
-      archive(element, first, count, step);
-    }
-  };
-  void update(Block& block, const Centreline& line, const model::State& state);
-
-  std::vector<Block> blocks_;
-  std::vector<std::size_t> in_use_;  ///< blocks of this step
-  long step_ = 0;
-  std::vector<std::int32_t> element_;
-  std::vector<double> share_;
+  std::size_t n_ = 0;
   std::vector<double> on_end_, on_start_slope_, on_end_slope_, on_bow_;  ///< weights, see HermiteWeights
-  std::vector<double> x_, y_, z_, vx_, vy_, vz_, fx_, fy_, fz_;
+  std::vector<double> x_, y_, z_, vx_, vy_, vz_;
 };
+
+/// What the load of a row does to the nodes of its element.
+[[nodiscard]] EndLoads to_nodes(const ElementLine& element, const RowLoad& load);
 
 }  // namespace knitmech::contact

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/blocks.h"
 #include "contact/closest_places.h"
 #include "contact/constants.h"
 #include "contact/crossing_batch.h"
@@ -14,20 +15,14 @@ namespace knitmech::contact {
 
 namespace {
 
-/// Everything that one step works with.
-struct Step {
-  const YarnElements& elements;
-  const Centreline& line;
-  const SmoothLaw& law;
-  const Motion& motion;
-  const model::State& state;
-  double length;  ///< [s]
-  double density_factor;
-  model::NodalLoads& loads;
-  std::optional<LostCrossing>& lost;
-};
+/// Crossings, and overlaps, that one thread takes at a time [-]; the same for any number of threads, as what they come
+/// to is summed up within them first. Fewer: more even shares.
+constexpr std::size_t kCrossingsAtOnce = 32;
+constexpr std::size_t kOverlapsAtOnce = 4;
 
-KNITMECH_INLINE PairSize size_of(const Step& step, YarnPlace first, YarnPlace second) {
+constexpr std::int32_t kNone = -1;
+
+KNITMECH_INLINE PairSize size_of(const SmoothStep& step, YarnPlace first, YarnPlace second) {
   const auto a = static_cast<std::size_t>(first.element);
   const auto b = static_cast<std::size_t>(second.element);
   const double radii = step.elements.radius[a] + step.elements.radius[b];
@@ -44,18 +39,19 @@ KNITMECH_INLINE bool too_near_along_yarn(const YarnElements& elements, YarnPlace
   return std::abs(arc_of(elements, second) - arc_of(elements, first)) < kSelfContactArc * std::numbers::pi * radii;
 }
 
-KNITMECH_INLINE double motion_of(const Step& step, YarnPlace first, YarnPlace second) {
+KNITMECH_INLINE double motion_of(const SmoothStep& step, YarnPlace first, YarnPlace second) {
   return step.motion.of(static_cast<std::size_t>(first.element)) +
          step.motion.of(static_cast<std::size_t>(second.element));
 }
 
+LostCrossing lost_at(const SmoothStep& step, YarnPlace first, YarnPlace second) {
+  return {first.element, second.element, step.line.node_position().at(static_cast<std::size_t>(first.element))};
+}
+
 /// Friction at a contact whose normal force is known.
-KNITMECH_INLINE FrictionStep friction_at(const Step& step, YarnPlace first, YarnPlace second, Vector3 normal,
-                                         double load, double stiffness, SlipMemory& stick) {
-  if (dot(stick.normal, normal) < 0 && !step.lost) {
-    step.lost = LostCrossing{first.element, second.element,
-                             step.line.node_position().at(static_cast<std::size_t>(first.element))};
-  }
+FrictionStep friction_at(const SmoothStep& step, YarnPlace first, YarnPlace second, Vector3 normal, double load,
+                         double stiffness, SlipMemory& stick, ContactStep& done) {
+  if (dot(stick.normal, normal) < 0 && !done.lost) done.lost = lost_at(step, first, second);
   const Vector3 motion = step.length * (step.line.velocity(step.state, second) - step.line.velocity(step.state, first));
   const double limit =
       load * step.law.friction.between(step.elements.section[static_cast<std::size_t>(first.element)],
@@ -72,25 +68,37 @@ void set_state(ContactState& now, double penetration, double load, double tangen
   now.stick_stiffness = stiffness;
 }
 
-/// A contact with the exact derivatives of its energy. \return friction loss [mJ]
-double add_pair(const Step& step, PairLoad& pair, YarnPlace first, YarnPlace second, Vector3 normal, double penetration,
-                double stick_stiffness, ContactState& now) {
-  const FrictionStep friction = friction_at(step, first, second, normal, pair.load, stick_stiffness, now.stick);
+/// What a contact does to the elements of both yarns.
+struct LoadPair {
+  ElementLoad &first, &second;
+};
+
+/// A contact with the exact derivatives of its energy.
+void press(const SmoothStep& step, PairLoad& pair, const Followed& here, double penetration, Crossing& crossing,
+           LoadPair loads, ContactStep& done) {
+  const double stick_stiffness = kStickStiffness * step.law.stiffness;
+  const Vector3 normal = (1 / length(here.at.between)) * here.at.between;
+  const FrictionStep friction =
+      friction_at(step, here.first, here.second, normal, pair.load, stick_stiffness, crossing.now.stick, done);
   pair.on_first.force = pair.on_first.force - friction.force;
   pair.on_second.force = pair.on_second.force + friction.force;
-  step.line.spread(first, pair.on_first, step.loads);
-  step.line.spread(second, pair.on_second, step.loads);
-  set_state(now, penetration, pair.load, pair.tangent, pair.energy, stick_stiffness);
-  return friction.loss;
+  const auto on = [&](YarnPlace place, const CurveLoad& load) {
+    return ElementLoad{place.element,
+                       step.line.element(static_cast<std::size_t>(place.element)).to_nodes(place.share, load)};
+  };
+  loads.first = on(here.first, pair.on_first);
+  loads.second = on(here.second, pair.on_second);
+  set_state(crossing.now, penetration, pair.load, pair.tangent, pair.energy, stick_stiffness);
+  done.friction_loss += friction.loss;
 }
 
 /// Whether a closest place lies at an end of its yarn, where it has no parabola.
-bool is_at_end(const Step& step, const Followed& here) {
+bool is_at_end(const SmoothStep& step, const Followed& here) {
   return to_nearer_end(step.elements, here.first) <= 0 || to_nearer_end(step.elements, here.second) <= 0;
 }
 
-/// A crossing on its own, in any case that may come. \return friction loss [mJ]
-double add_crossing(const Step& step, Crossing& crossing) {
+/// A crossing on its own, in any case that may come.
+void add_crossing(const SmoothStep& step, Crossing& crossing, LoadPair loads, ContactStep& done) {
   const Followed here = follow_closest(step.elements, step.line, crossing.first, crossing.second);
   crossing.first = here.first;
   crossing.second = here.second;
@@ -102,28 +110,26 @@ double add_crossing(const Step& step, Crossing& crossing) {
       too_near_along_yarn(step.elements, here.first, here.second, size.radii)) {
     crossing.now = {};
     if (here.is_minimum && crossing.gap > 0) crossing.wake = motion_of(step, here.first, here.second) + crossing.gap;
-    return 0;
+    return;
   }
-  const double stick = kStickStiffness * step.law.stiffness;
   // Squares of the half lengths of the overlap, times the determinant.
   const double determinant = here.hessian.determinant();
   const double across = -2 * crossing.gap * distance;
   const double along_first = across * size.first_length * size.first_length * here.hessian.tt;
   const double along_second = across * size.second_length * size.second_length * here.hessian.ss;
   const double longest = kLongestOverlap * size.radii;
-  if (along_first + along_second > longest * longest * determinant ||
-      is_at_end(step, here)) {  // strips take over at the next look
+  if (along_first + along_second > longest * longest * determinant || is_at_end(step, here)) {
     crossing.is_short = false;
     crossing.now = {};
-    return 0;
+    done.asks_for_look = true;  // strips take over in the next step
+    return;
   }
   PairLoad pair = crossing_load(here.at, here.hessian, distance, size);
-  return add_pair(step, pair, here.first, here.second, (1 / distance) * here.at.between, -crossing.gap, stick,
-                  crossing.now);
+  press(step, pair, here, -crossing.gap, crossing, loads, done);
 }
 
 /// Puts the element of a place into a lane. \return false if the place has left the element
-KNITMECH_INLINE bool gather(const Step& step, YarnPlace place, LaneSides& side, std::size_t lane) {
+KNITMECH_INLINE bool gather(const SmoothStep& step, YarnPlace place, LaneSides& side, std::size_t lane) {
   const auto i = static_cast<std::size_t>(place.element);
   set_element(side, lane, step.line.element(i));
   side.start_velocity.set(lane, step.state.velocity.at(i));
@@ -135,16 +141,8 @@ KNITMECH_INLINE bool gather(const Step& step, YarnPlace place, LaneSides& side, 
   return place.share >= 0 && place.share <= 1;
 }
 
-KNITMECH_INLINE void scatter(const Step& step, std::int32_t element, const LaneSides& side, std::size_t lane) {
-  const auto i = static_cast<std::size_t>(element);
-  step.loads.force.add(i, side.start_force.at(lane));
-  step.loads.force.add(i + 1, side.end_force.at(lane));
-  step.loads.moment.add(i, side.start_moment.at(lane));
-  step.loads.moment.add(i + 1, side.end_moment.at(lane));
-}
-
 /// Puts a contact into the next lane. \return false if it has to be computed on its own
-KNITMECH_INLINE bool gather(const Step& step, YarnPlace first, YarnPlace second, double stick_stiffness,
+KNITMECH_INLINE bool gather(const SmoothStep& step, YarnPlace first, YarnPlace second, double stick_stiffness,
                             const SlipMemory& stick, ContactBatch& batch) {
   const std::size_t lane = batch.n;
   const auto a = static_cast<std::size_t>(first.element);
@@ -164,74 +162,130 @@ KNITMECH_INLINE bool gather(const Step& step, YarnPlace first, YarnPlace second,
 }
 
 /// Takes the result of a regular lane over.
-KNITMECH_INLINE void take_over(const Step& step, const ContactBatch& batch, std::size_t lane, YarnPlace first,
-                               YarnPlace second, ContactState& now) {
-  scatter(step, first.element, batch.first, lane);
-  scatter(step, second.element, batch.second, lane);
-  if (batch.turned_round[lane] != 0 && !step.lost) {
-    step.lost = LostCrossing{first.element, second.element,
-                             step.line.node_position().at(static_cast<std::size_t>(first.element))};
-  }
+KNITMECH_INLINE void take_over(const SmoothStep& step, const ContactBatch& batch, std::size_t lane, Crossing& crossing,
+                               LoadPair loads, ContactStep& done) {
+  const auto on = [lane](std::int32_t element, const LaneSides& side) {
+    return ElementLoad{
+        element,
+        {side.start_force.at(lane), side.end_force.at(lane), side.start_moment.at(lane), side.end_moment.at(lane)}};
+  };
+  loads.first = on(crossing.first.element, batch.first);
+  loads.second = on(crossing.second.element, batch.second);
+  crossing.first.share = batch.first.share[lane];
+  crossing.second.share = batch.second.share[lane];
+  crossing.gap = -batch.penetration[lane];
+  crossing.is_minimum = true;
+  if (batch.turned_round[lane] != 0 && !done.lost) done.lost = lost_at(step, crossing.first, crossing.second);
+  ContactState& now = crossing.now;
   now.stick.normal = batch.normal.at(lane);
   now.stick.elastic_slip = batch.elastic_slip.at(lane);
   now.stick.slid += batch.slid[lane];
   now.stick.slips = batch.slipped[lane] != 0;
   set_state(now, batch.penetration[lane], batch.load[lane], batch.tangent[lane], batch.energy[lane],
             batch.stick_stiffness[lane]);
+  done.friction_loss += batch.loss[lane];
 }
 
-/// Crossings that wait in the lanes of a batch.
-using Waiting = std::array<Crossing*, kLanes>;
-
-double flush(const Step& step, ContactBatch& batch, const Waiting& waiting) {
-  evaluate_crossings(batch, step.length);
-  double loss = 0;
-  for (std::size_t lane = 0; lane < batch.n; ++lane) {
-    Crossing& crossing = *waiting[lane];
-    if (batch.regular[lane] == 0) {
-      loss += add_crossing(step, crossing);
-      continue;
-    }
-    crossing.first.share = batch.first.share[lane];
-    crossing.second.share = batch.second.share[lane];
-    crossing.gap = -batch.penetration[lane];
-    crossing.is_minimum = true;
-    take_over(step, batch, lane, crossing.first, crossing.second, crossing.now);
-    loss += batch.loss[lane];
+/// Adds what a load does to the nodes from begin to before end.
+KNITMECH_INLINE void add_within(const ElementLoad& load, std::size_t begin, std::size_t end, model::NodalLoads& loads) {
+  if (load.element == kNone) return;
+  const auto i = static_cast<std::size_t>(load.element);
+  if (i >= begin && i < end) {
+    loads.force.add(i, load.loads.start_force);
+    loads.moment.add(i, load.loads.start_moment);
   }
-  batch.n = 0;
-  return loss;
-}
-
-double add_crossings(const Step& step, std::vector<Crossing>& crossings) {
-  ContactBatch batch{};
-  Waiting waiting{};
-  const double stick = kStickStiffness * step.law.stiffness;
-  double loss = 0;
-  for (Crossing& crossing : crossings) {
-    if (!crossing.is_short || motion_of(step, crossing.first, crossing.second) < crossing.wake) continue;
-    waiting[batch.n] = &crossing;
-    if (!gather(step, crossing.first, crossing.second, stick, crossing.now.stick, batch)) {
-      loss += add_crossing(step, crossing);
-    } else if (batch.n == kLanes) {
-      loss += flush(step, batch, waiting);
-    }
+  if (i + 1 >= begin && i + 1 < end) {
+    loads.force.add(i + 1, load.loads.end_force);
+    loads.moment.add(i + 1, load.loads.end_moment);
   }
-  if (batch.n > 0) loss += flush(step, batch, waiting);
-  return loss;
 }
 
 }  // namespace
 
-ContactStep add_smooth_forces(const YarnElements& elements, const Centreline& line, const SmoothLaw& law,
-                              const Motion& motion, const model::State& state, double step, FollowedContacts& contacts,
-                              model::NodalLoads& loads, std::optional<LostCrossing>& lost) {
-  const Step all{elements, line, law, motion, state, step, density_factor(), loads, lost};
-  ContactStep sum = add_strip_forces(elements, line, law, motion, state, step, contacts, loads, lost);
-  sum.friction_loss += add_crossings(all, contacts.crossings);
-  for (const Crossing& crossing : contacts.crossings) {
-    sum.largest_penetration = std::max(sum.largest_penetration, crossing.now.penetration);
+/// Room for one thread to compute in.
+struct SmoothForces::Work {
+  ContactBatch batch{};
+  std::array<std::size_t, kLanes> waiting{};  ///< crossings in the lanes of the batch
+  OverlapWork overlap;
+};
+
+SmoothForces::SmoothForces() = default;
+SmoothForces::~SmoothForces() = default;
+SmoothForces::SmoothForces(const SmoothForces& /*other*/) {}
+SmoothForces& SmoothForces::operator=(const SmoothForces& /*other*/) {
+  return *this;
+}
+
+void SmoothForces::flush(const SmoothStep& step, std::vector<Crossing>& crossings, Work& work, ContactStep& done) {
+  ContactBatch& batch = work.batch;
+  if (batch.n == 0) return;
+  evaluate_crossings(batch, step.length);
+  for (std::size_t lane = 0; lane < batch.n; ++lane) {
+    const std::size_t i = work.waiting[lane];
+    const LoadPair loads{on_crossings_[2 * i], on_crossings_[2 * i + 1]};
+    if (batch.regular[lane] != 0) {
+      take_over(step, batch, lane, crossings[i], loads, done);
+    } else {
+      add_crossing(step, crossings[i], loads, done);
+    }
   }
+  batch.n = 0;
+}
+
+void SmoothForces::evaluate(const SmoothStep& step, std::vector<Crossing>& crossings, std::size_t begin,
+                            std::size_t end, Work& work, ContactStep& done) {
+  const double stick = kStickStiffness * step.law.stiffness;
+  for (std::size_t i = begin; i < end; ++i) {
+    on_crossings_[2 * i].element = on_crossings_[2 * i + 1].element = kNone;
+    Crossing& crossing = crossings[i];
+    if (!crossing.is_short || motion_of(step, crossing.first, crossing.second) < crossing.wake) continue;
+    work.waiting[work.batch.n] = i;
+    if (!gather(step, crossing.first, crossing.second, stick, crossing.now.stick, work.batch)) {
+      add_crossing(step, crossing, {on_crossings_[2 * i], on_crossings_[2 * i + 1]}, done);
+    } else if (work.batch.n == kLanes) {
+      flush(step, crossings, work, done);
+    }
+  }
+  flush(step, crossings, work, done);
+  for (std::size_t i = begin; i < end; ++i) {
+    done.largest_penetration = std::max(done.largest_penetration, crossings[i].now.penetration);
+  }
+}
+
+ContactStep SmoothForces::add(const SmoothStep& step, const ContactElements& pieces, const base::ThreadTeam& team,
+                              FollowedContacts& contacts, model::NodalLoads& loads) {
+  const std::size_t n_crossings = contacts.crossings.size();
+  const std::size_t n_overlaps = contacts.overlaps.size();
+  const std::size_t crossing_shares = (n_crossings + kCrossingsAtOnce - 1) / kCrossingsAtOnce;
+  const std::size_t shares = crossing_shares + (n_overlaps + kOverlapsAtOnce - 1) / kOverlapsAtOnce;
+  on_crossings_.resize(2 * n_crossings);
+  done_.assign(shares, {});
+  if (works_.size() < team.size()) works_.resize(team.size());
+  // In turns, since contacts that lie side by side are often all busy or all asleep.
+  team.run([&](std::size_t part) {
+    for (std::size_t share = part; share < shares; share += team.size()) {
+      if (share < crossing_shares) {
+        const std::size_t begin = share * kCrossingsAtOnce;
+        evaluate(step, contacts.crossings, begin, std::min(begin + kCrossingsAtOnce, n_crossings), works_[part],
+                 done_[share]);
+        continue;
+      }
+      const std::size_t begin = (share - crossing_shares) * kOverlapsAtOnce;
+      for (std::size_t i = begin; i < std::min(begin + kOverlapsAtOnce, n_overlaps); ++i) {
+        works_[part].overlap.evaluate(step, pieces, contacts.overlaps[i], done_[share]);
+      }
+    }
+  });
+  // Every thread has its own nodes, and adds to them in the same order as one alone would.
+  team.for_ranges(loads.force.size(), base::kBlock, [&](std::size_t begin, std::size_t end) {
+    for (const ElementLoad& load : on_crossings_) add_within(load, begin, end, loads);
+    for (const Overlap& overlap : contacts.overlaps) {
+      for (const ElementLoad& load : overlap.loads) add_within(load, begin, end, loads);
+    }
+  });
+  ContactStep sum;
+  for (const ContactStep& done : done_) sum.add(done);
+  if (sum.asks_for_look) contacts.asks_for_look = true;
   return sum;
 }
 

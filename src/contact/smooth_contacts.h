@@ -1,33 +1,37 @@
 #pragma once
 
-#include <optional>
 #include <vector>
 
-#include "contact/centreline.h"
-#include "contact/contact_points.h"
+#include "base/thread_team.h"
+#include "contact/contact_elements.h"
 #include "contact/followed_contacts.h"
-#include "contact/friction_table.h"
+#include "contact/smooth_law.h"
 #include "model/state.h"
 
 namespace knitmech::contact {
 
-/// What contact on the smooth centreline needs to know besides the yarns.
-struct SmoothLaw {
-  double stiffness = 0;  ///< K of a crossing [N/mm]
-  FrictionTable friction;
-};
+/// The forces of contacts on the smooth centreline; what it keeps from step to step is only room to compute in.
+class SmoothForces {
+ public:
+  SmoothForces();
+  ~SmoothForces();
+  SmoothForces(const SmoothForces& other);
+  SmoothForces& operator=(const SmoothForces& other);
 
-/// What a step of all contacts comes to.
-struct ContactStep {
-  double friction_loss = 0;        ///< [mJ]
-  double largest_penetration = 0;  ///< [mm]
-};
+  /// Brings the followed places up to date with the centreline and adds their normal and friction forces to the nodes.
+  /// The same to the last bit for any number of threads.
+  ContactStep add(const SmoothStep& step, const ContactElements& pieces, const base::ThreadTeam& team,
+                  FollowedContacts& contacts, model::NodalLoads& loads);
 
-/// Brings the followed places up to date with the centreline and adds their normal and friction forces to the nodes.
-/// \param step [s] since the call before; velocities times step are the motion since then
-/// \param lost set if a yarn went through another in this step
-ContactStep add_smooth_forces(const YarnElements& elements, const Centreline& line, const SmoothLaw& law,
-                              const Motion& motion, const model::State& state, double step, FollowedContacts& contacts,
-                              model::NodalLoads& loads, std::optional<LostCrossing>& lost);
+ private:
+  struct Work;
+  void evaluate(const SmoothStep& step, std::vector<Crossing>& crossings, std::size_t begin, std::size_t end,
+                Work& work, ContactStep& done);
+  void flush(const SmoothStep& step, std::vector<Crossing>& crossings, Work& work, ContactStep& done);
+
+  std::vector<ElementLoad> on_crossings_;  ///< of this step, two for each
+  std::vector<ContactStep> done_;          ///< by the shares of the threads
+  std::vector<Work> works_;                ///< one for each thread
+};
 
 }  // namespace knitmech::contact

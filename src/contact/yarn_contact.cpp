@@ -36,17 +36,23 @@ YarnContact::YarnContact(const model::Model& model)
       motion_(model.nodes.size()),
       crossing_watch_(pieces_) {}
 
+/// The neighbours of those elements that have moved since they were searched last. A free end that whips about has them
+/// searched often, the fabric behind it seldom.
 void YarnContact::search(const model::State& state) {
+  std::vector<char> is_due(pieces_.n_nodes(), 0);
+  for (std::size_t i = 0; i < elements_.n_nodes(); ++i) {
+    if (motion_.since_search(i) < kSearchEarly * skin_) continue;
+    motion_.searched(i);
+    const auto m = static_cast<std::size_t>(pieces_.pieces_per_element);
+    std::fill_n(is_due.begin() + static_cast<std::ptrdiff_t>(i * m), std::min(m, pieces_.n_nodes() - i * m), 1);
+  }
   std::vector<double> bulges(pieces_.n_nodes(), 0.0);
   for (std::size_t i = 0; i < bulges.size(); ++i) {
     if (centreline_.is_smooth() && pieces_.exists[i] != 0) {
       bulges[i] = bulge(centreline_.piece_curve(pieces_, static_cast<std::int32_t>(i)));
     }
   }
-  watch_.begin(find_neighbours(pieces_, centreline_.piece_positions(pieces_), bulges, skin_));
-  motion_.start_anew();
-  for (Crossing& crossing : followed_.crossings) crossing.wake = 0;
-  for (Strip& strip : followed_.strips) strip.wake = 0;
+  watch_.renew(is_due, find_neighbours(pieces_, centreline_.piece_positions(pieces_), bulges, skin_, is_due));
   common_motion_ = fit_common_motion(state);
   ++searches_;
   check_crossings();
@@ -55,7 +61,7 @@ void YarnContact::search(const model::State& state) {
 void YarnContact::check_crossings() {
   const CrossingReport report = crossing_watch_.update(centreline_.piece_positions(pieces_), watch_.pairs());
   ++crossing_checks_;
-  checked_at_ = motion_.largest();
+  motion_.checked();
   ravelled_.insert(ravelled_.end(), report.ravelled.begin(), report.ravelled.end());
   if (report.lost.empty() || lost_) return;
   const CrossingLoss& loss = report.lost.front();
@@ -63,26 +69,29 @@ void YarnContact::check_crossings() {
 }
 
 void YarnContact::look() {
+  motion_.set_bounds(0.5 * skin_, kCheckCrossings * 2 * pieces_.largest_radius);
   if (centreline_.is_smooth()) {
     look_for_contacts(elements_, pieces_, centreline_, motion_, watch_, followed_);
   } else {
     look_at_chords(pieces_, centreline_.node_position(), motion_, watch_, near_);
   }
-  motion_.looked();
 }
 
-void YarnContact::add_forces(const model::State& state, double step, model::NodalLoads& loads) {
+void YarnContact::add_forces(const model::State& state, double step, model::NodalLoads& loads,
+                             const base::ThreadTeam& team) {
   centreline_.update(state, common_motion_, step);
   // Two yarns in contact are at most a few radii apart along y; as much of the common stretch is between them.
   const double stretch = std::abs(common_motion_.rate) * step;
   motion_.add(centreline_.moved(), stretch * (2 * pieces_.largest_radius + skin_));
-  const bool search_is_due = searches_ == 0 || motion_.largest() >= 0.5 * skin_;
-  if (search_is_due) search(state);
-  if (motion_.largest() - checked_at_ >= kCheckCrossings * 2 * pieces_.largest_radius) check_crossings();
-  if (search_is_due || motion_.since_look() >= kLookAgain * pieces_.largest_radius) look();
+  if (motion_.has_reached_a_bound() || followed_.asks_for_look) {
+    if (motion_.largest_since_search() >= 0.5 * skin_) search(state);
+    if (motion_.largest_since_check() >= kCheckCrossings * 2 * pieces_.largest_radius) check_crossings();
+    look();
+  }
   if (centreline_.is_smooth()) {
-    const ContactStep done =
-        add_smooth_forces(elements_, centreline_, law_, motion_, state, step, followed_, loads, lost_);
+    const ContactStep done = smooth_forces_.add({elements_, centreline_, law_, motion_, state, step, density_factor()},
+                                                pieces_, team, followed_, loads);
+    if (!lost_) lost_ = done.lost;
     friction_loss_ += done.friction_loss;
     largest_penetration_ = done.largest_penetration;
   } else {

@@ -27,7 +27,8 @@ class YarnContact {
 
   /// Adds normal and friction forces to the nodes.
   /// \param step [s] since the call before; velocities times step are the motion since then
-  void add_forces(const model::State& state, double step, model::NodalLoads& loads);
+  void add_forces(const model::State& state, double step, model::NodalLoads& loads,
+                  const base::ThreadTeam& team = base::ThreadTeam(1));
 
   /// Stored in the penalty and the elastic stick at the last call of add_forces [mJ].
   [[nodiscard]] double energy() const;
@@ -58,9 +59,9 @@ class YarnContact {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(base::left_out(elements_, pieces_, law_, skin_, chords_before_), centreline_, common_motion_, motion_,
-            watch_, followed_, near_, chords_, friction_loss_, largest_penetration_, lost_, crossing_watch_, ravelled_,
-            checked_at_, searches_, crossing_checks_);
+    archive(base::left_out(elements_, pieces_, law_, skin_, smooth_forces_, chords_before_), centreline_,
+            common_motion_, motion_, watch_, followed_, near_, chords_, friction_loss_, largest_penetration_, lost_,
+            crossing_watch_, ravelled_, searches_, crossing_checks_);
   }
 
  private:
@@ -77,6 +78,7 @@ class YarnContact {
   Motion motion_;
   PairWatch watch_;
   FollowedContacts followed_;
+  SmoothForces smooth_forces_;
   std::vector<NearChords> near_;
   std::vector<ChordContact> chords_, chords_before_;
   double friction_loss_ = 0;
@@ -84,7 +86,6 @@ class YarnContact {
   std::optional<LostCrossing> lost_;
   CrossingWatch crossing_watch_;
   std::vector<RavelEvent> ravelled_;
-  double checked_at_ = 0;  ///< motion since the last search [mm]
   long searches_ = 0, crossing_checks_ = 0;
 };
 

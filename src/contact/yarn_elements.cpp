@@ -1,5 +1,8 @@
 #include "contact/yarn_elements.h"
 
+#include <algorithm>
+#include <limits>
+
 namespace knitmech::contact {
 
 YarnElements make_yarn_elements(const model::Model& model) {
@@ -25,6 +28,10 @@ YarnElements make_yarn_elements(const model::Model& model) {
       elements.before[i] = model.arc_length[i] - model.arc_length[first];
       elements.after[i] = model.arc_length[last] - model.arc_length[i];
     }
+  }
+  elements.shortest = std::numeric_limits<double>::max();
+  for (std::size_t i = 0; i < n; ++i) {
+    if (elements.exists[i] != 0) elements.shortest = std::min(elements.shortest, elements.length[i]);
   }
   return elements;
 }

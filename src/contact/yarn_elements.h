@@ -18,6 +18,7 @@ struct YarnElements {
   std::vector<double> length;         ///< [mm], of the element along the stress-free yarn
   std::vector<double> before;         ///< [mm], along the stress-free yarn from its first node to this one
   std::vector<double> after;          ///< [mm], from this node to the yarn's last
+  double shortest = 0;                ///< element [mm]
 
   [[nodiscard]] std::size_t n_nodes() const { return yarn.size(); }
   [[nodiscard]] bool has_previous(std::size_t element) const { return element > 0 && exists[element - 1] != 0; }

@@ -81,7 +81,7 @@ void ExplicitSolver::compute_forces(double viscous_time, double friction_time) {
   nonlinear_.set_secants(state_, elements_, team_);
   beam::set_internal_force(elements_, state_, viscous_time, work_, loads_, team_);
   folds_.add_moments(state_, loads_, team_);
-  contact_.add_forces(state_, friction_time, loads_);
+  contact_.add_forces(state_, friction_time, loads_, team_);
   largest_penetration_ = std::max(largest_penetration_, contact_.largest_penetration());
   forces_are_current_ = true;
 }

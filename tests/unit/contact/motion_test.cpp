@@ -71,29 +71,56 @@ TEST(Motion, GivenSteps_ThenAnElementHasMovedAsItsFasterNodeAndWhatComesBesides)
   EXPECT_EQ(motion.of(0), 1.25 + 2.5);
   EXPECT_EQ(motion.of(1), 0.25 + 2.5);
   EXPECT_EQ(motion.of(2), 4.25 + 0.5);
-  EXPECT_EQ(motion.largest(), 4.75);
-  EXPECT_EQ(motion.since_look(), 4.25 + 2.5);  // a bound for any element: the sum of the largest of the steps
+  EXPECT_EQ(motion.largest_since_check(), 4.75);
 }
 
-TEST(Motion, GivenALook_ThenOnlyTheMotionSinceTheLookBeginsAnew) {
+TEST(Motion, GivenANewFabric_ThenASearchIsDueAtOnce) {
   Motion motion(3);
+  motion.add({0, 0, 0}, 0);
+  EXPECT_TRUE(motion.has_reached_a_bound());
+  EXPECT_GT(motion.largest_since_search(), 1e100);
+}
+
+TEST(Motion, GivenASearchOfAnElement_ThenOnlyItsMotionSinceThenBeginsAnew) {
+  Motion motion(3);
+  motion.searched(0);
+  motion.searched(1);
+  motion.add({1, 2, 1}, 0);
+  motion.searched(1);
   motion.add({1, 1, 1}, 0);
-  motion.looked();
-  EXPECT_EQ(motion.since_look(), 0.0);
-  EXPECT_EQ(motion.largest(), 1.0);
-  motion.add({2, 1, 1}, 0);
-  EXPECT_EQ(motion.since_look(), 2.0);
-  EXPECT_EQ(motion.largest(), 3.0);
+  EXPECT_EQ(motion.since_search(0), 3);
+  EXPECT_EQ(motion.since_search(1), 1);
+  motion.checked();
+  EXPECT_EQ(motion.largest_since_check(), 0);
+  EXPECT_EQ(motion.of(0), 3);
 }
 
-TEST(Motion, GivenAStartAnew_ThenThePastIsForgotten) {
-  Motion motion(3);
-  motion.add({1, 2, 3}, 0.5);
-  motion.start_anew();
-  EXPECT_EQ(motion.of(0), 0.0);
-  EXPECT_EQ(motion.of(1), 0.0);
-  EXPECT_EQ(motion.largest(), 0.0);
-  EXPECT_EQ(motion.since_look(), 0.0);
+TEST(Motion, GivenABoundForTwoElements_ThenOneOfThemReachesItBeforeBothTogetherHaveMovedThatFar) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  for (int trial = 0; trial < 100; ++trial) {
+    Motion motion(4);
+    for (const std::size_t i : {0U, 1U, 2U}) motion.searched(i);
+    motion.set_bounds(1e9, 1e9);
+    motion.bound(0, 2, 1.0);
+    while (!motion.has_reached_a_bound()) motion.add({0.01 * uniform(random), 0, 0, 0.02 * uniform(random)}, 0);
+    EXPECT_LT(motion.of(0) + motion.of(2), 1.0 + 0.03);
+    EXPECT_GE(std::max(motion.of(0), motion.of(2)), 0.5);
+  }
+}
+
+TEST(Motion, GivenBoundsSinceSearchAndCheck_ThenTheNearerOneCounts) {
+  Motion motion(2);
+  motion.searched(0);
+  motion.set_bounds(3.0, 2.0);
+  motion.add({1.5, 0}, 0);
+  EXPECT_FALSE(motion.has_reached_a_bound());
+  motion.checked();
+  motion.set_bounds(3.0, 2.0);
+  motion.add({1.4, 0}, 0);
+  EXPECT_FALSE(motion.has_reached_a_bound());
+  motion.add({0.2, 0}, 0);
+  EXPECT_TRUE(motion.has_reached_a_bound());  // 3.1 since the search, 1.6 since the check
 }
 
 /// Two bent yarns of two elements each, nodes 0 to 2 and 3 to 5.
@@ -238,9 +265,9 @@ ContactElements halves() {
 }
 
 /// Lets a watch look, every pair for a given length. \return the pairs that were looked at
-std::vector<std::pair<int, int>> looked_at(PairWatch& watch, const Motion& motion, double until) {
+std::vector<std::pair<int, int>> looked_at(PairWatch& watch, Motion& motion, double until, double early = 0) {
   std::vector<std::pair<int, int>> pairs;
-  watch.look_at_all(halves(), motion, [&](ElementPair pair) {
+  watch.look_at_all(halves(), early, motion, [&](ElementPair pair) {
     pairs.emplace_back(pair.first, pair.second);
     return until;
   });
@@ -249,17 +276,19 @@ std::vector<std::pair<int, int>> looked_at(PairWatch& watch, const Motion& motio
 
 using Pairs = std::vector<std::pair<int, int>>;
 
+const std::vector<char> kAll(12, 1);
+
 TEST(PairWatch, GivenANewList_ThenEveryPairIsLookedAtOnce) {
   PairWatch watch;
-  watch.begin({{0, 5}, {1, 4}, {2, 7}});
-  const Motion motion(5);
+  watch.renew(kAll, {{0, 5}, {1, 4}, {2, 7}});
+  Motion motion(5);
   EXPECT_EQ(looked_at(watch, motion, 0.5), (Pairs{{0, 5}, {1, 4}, {2, 7}}));
   EXPECT_EQ(looked_at(watch, motion, 0.5), Pairs{});
 }
 
 TEST(PairWatch, GivenAPairThatSleeps_ThenItWakesWhenBothYarnsTogetherHaveMovedAsFarAsItWasTold) {
   PairWatch watch;
-  watch.begin({{1, 4}});  // on elements 0 and 2
+  watch.renew(kAll, {{1, 4}});  // on elements 0 and 2
   Motion motion(5);
   motion.add({0.125, 0, 0, 0.125, 0}, 0);
   ASSERT_EQ(looked_at(watch, motion, 0.5).size(), 1U);  // element 0 has moved by 1/8, element 2 by 1/8
@@ -275,7 +304,7 @@ TEST(PairWatch, GivenAPairThatSleeps_ThenItWakesWhenBothYarnsTogetherHaveMovedAs
 
 TEST(PairWatch, GivenAYarnThatMoves_ThenPairsOfOtherYarnsSleepOn) {
   PairWatch watch;
-  watch.begin({{0, 5}, {4, 8}});  // elements 0 and 2, 2 and 4
+  watch.renew(kAll, {{0, 5}, {4, 8}});  // elements 0 and 2, 2 and 4
   Motion motion(6);
   looked_at(watch, motion, 0.5);
   motion.add({8, 0, 0, 0, 0, 0}, 0);
@@ -284,19 +313,47 @@ TEST(PairWatch, GivenAYarnThatMoves_ThenPairsOfOtherYarnsSleepOn) {
 
 TEST(PairWatch, GivenAPairThatMayTouchAtAnyTime_ThenItIsLookedAtEveryTime) {
   PairWatch watch;
-  watch.begin({{0, 5}});
-  const Motion motion(5);
+  watch.renew(kAll, {{0, 5}});
+  Motion motion(5);
   for (int i = 0; i < 3; ++i) EXPECT_EQ(looked_at(watch, motion, 0).size(), 1U);
 }
 
-TEST(PairWatch, GivenAListThatBeginsAnew_ThenItsPairsAreAwake) {
+TEST(PairWatch, GivenASearchOfSomeElements_ThenTheirPairsAreThoseFound_AndWhatWasKnownSleepsOn) {
   PairWatch watch;
-  watch.begin({{0, 5}});
-  Motion motion(5);
+  watch.renew(kAll, {{0, 5}, {1, 8}, {4, 8}});
+  Motion motion(6);
   looked_at(watch, motion, 100);
-  motion.start_anew();
-  watch.begin({{0, 5}, {2, 7}});
-  EXPECT_EQ(looked_at(watch, motion, 100), (Pairs{{0, 5}, {2, 7}}));
+  std::vector<char> is_due(12, 0);
+  is_due[0] = is_due[1] = 1;
+  watch.renew(is_due, {{0, 5}, {1, 9}});
+  const Pairs expected{{0, 5}, {1, 9}, {4, 8}};
+  Pairs known;
+  for (const ElementPair pair : watch.pairs()) known.emplace_back(pair.first, pair.second);
+  EXPECT_EQ(known, expected);
+  EXPECT_EQ(looked_at(watch, motion, 100), (Pairs{{1, 9}})) << "only the new one is awake";
+}
+
+TEST(PairWatch, GivenPairsThatHaveLittleLeft_ThenTheyAreLookedAtEarlyWithOthers) {
+  PairWatch watch;
+  watch.renew(kAll, {{0, 5}, {4, 8}});
+  Motion motion(6);
+  looked_at(watch, motion, 0.5);
+  motion.add({0.375, 0, 0, 0, 0, 0}, 0);
+  EXPECT_EQ(looked_at(watch, motion, 0.5, 0.0625), Pairs{});
+  EXPECT_EQ(looked_at(watch, motion, 0.5, 0.25), (Pairs{{0, 5}}));
+}
+
+TEST(PairWatch, GivenPairsThatSleep_ThenTheirElementsAreBoundedByWhatIsLeft) {
+  PairWatch watch;
+  watch.renew(kAll, {{0, 5}});
+  Motion motion(6);
+  for (std::size_t i = 0; i < 6; ++i) motion.searched(i);
+  motion.set_bounds(1e9, 1e9);
+  looked_at(watch, motion, 0.5);
+  motion.add({0.125, 0, 0, 0.125, 0, 0}, 0);
+  EXPECT_FALSE(motion.has_reached_a_bound());
+  motion.add({0.125, 0, 0, 0, 0, 0}, 0);
+  EXPECT_TRUE(motion.has_reached_a_bound()) << "one of the two has moved by half of what both may";
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <random>
 #include <vector>
 
@@ -26,22 +27,46 @@ struct Moving {
   }
 };
 
+constexpr std::array<PlaceRow, 2> kRows = {PlaceRow{1, 0.05, 0.1, 9}, PlaceRow{5, 0.25, 0.375, 2}};
+
+std::vector<YarnPlace> places() {
+  std::vector<YarnPlace> places;
+  for (const PlaceRow& row : kRows) {
+    for (std::size_t i = 0; i < row.n; ++i)
+      places.push_back({row.element, row.first + static_cast<double>(i) * row.step});
+  }
+  return places;
+}
+
 TEST(PlacedPoints, GivenMovingYarns_ThenPointsHavePositionsAndVelocitiesOfTheirPlaces) {
   std::mt19937 random(7);
   const Moving yarns(random);
   const Scene& scene = yarns.scene;
   PlacedPoints points;
-  EXPECT_EQ(points.add(1, {0.0, 0.3, 1.0}), 0U);
-  EXPECT_EQ(points.add(5, {0.7}), 3U);
-  points.begin_step();
-  points.bring(0, scene.line, scene.state);
-  points.bring(1, scene.line, scene.state);
-  ASSERT_EQ(points.size(), 4U);
+  EXPECT_EQ(points.add(kRows[0], scene.line, scene.state), 0U);
+  EXPECT_EQ(points.add(kRows[1], scene.line, scene.state), 9U);
+  ASSERT_EQ(points.size(), places().size());
   for (std::size_t p = 0; p < points.size(); ++p) {
-    const YarnPlace place = points.place(p);
+    const YarnPlace place = places()[p];
     EXPECT_LT(length(points.position(p) - scene.line.point(place)), 1e-14);
     EXPECT_LT(length(points.velocity(p) - scene.line.velocity(scene.state, place)), 1e-12);
   }
+}
+
+TEST(PlacedPoints, GivenAPlace_ThenDepthsAreThoseBySquares) {
+  std::mt19937 random(9);
+  const Moving yarns(random);
+  PlacedPoints points;
+  for (const PlaceRow& row : kRows) points.add(row, yarns.scene.line, yarns.scene.state);
+  const Vector3 place = points.position(4) + Vector3{0.05, 0.02, -0.03};
+  std::array<double, 3> depth{};
+  points.depths_below(place, 0.2, 3, 3, depth.data());
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vector3 between = points.position(3 + i) - place;
+    EXPECT_NEAR(depth[i], 0.5 * (0.2 - dot(between, between) / 0.2), 1e-15);
+  }
+  points.depths_below(points.position(2), 0.2, 2, 1, depth.data());
+  EXPECT_LT(depth[0], 0.1) << "below the depth at which the centrelines meet";
 }
 
 TEST(PlacedPoints, GivenForcesOnThem_ThenTheNodesGetWhatForcesAtThePlacesGive) {
@@ -49,19 +74,23 @@ TEST(PlacedPoints, GivenForcesOnThem_ThenTheNodesGetWhatForcesAtThePlacesGive) {
   const Moving yarns(random);
   const Scene& scene = yarns.scene;
   PlacedPoints points;
-  points.add(1, {0.1, 0.5, 0.9});
-  points.add(5, {0.2, 0.4});
-  points.begin_step();
-  points.bring(0, scene.line, scene.state);
-  points.bring(1, scene.line, scene.state);
+  for (const PlaceRow& row : kRows) points.add(row, scene.line, scene.state);
+  std::array<RowLoad, 2> rows;
   model::NodalLoads expected(8);
   for (std::size_t p = 0; p < points.size(); ++p) {
     const Vector3 force = noise(random, 1);
-    points.add_force(p, force);
-    scene.line.spread(points.place(p), force, expected);
+    points.add_force(p, force, rows[p < kRows[0].n ? 0 : 1]);
+    scene.line.spread(places()[p], force, expected);
   }
   model::NodalLoads loads(8);
-  points.give_forces(scene.line, loads);
+  for (std::size_t r = 0; r < 2; ++r) {
+    const auto element = static_cast<std::size_t>(kRows[r].element);
+    const EndLoads ends = to_nodes(scene.line.element(element), rows[r]);
+    loads.force.add(element, ends.start_force);
+    loads.force.add(element + 1, ends.end_force);
+    loads.moment.add(element, ends.start_moment);
+    loads.moment.add(element + 1, ends.end_moment);
+  }
   for (std::size_t i = 0; i < 8; ++i) {
     EXPECT_LT(length(loads.force.at(i) - expected.force.at(i)), 1e-13);
     EXPECT_LT(length(loads.moment.at(i) - expected.moment.at(i)), 1e-13);
