@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/blocks.h"
 #include "base/vectorise.h"
 
 namespace knitmech::contact {
@@ -32,13 +33,14 @@ KNITMECH_INLINE void turn_one(double w, Vector3 q, const Turning& v, std::size_t
   v.tz[i] = t.z;
 }
 
-KNITMECH_VECTORISE void turn_all(const model::RotationArray& rotation, Turning a, Turning b, Turning c, std::size_t n) {
+KNITMECH_VECTORISE void turn_all(const model::RotationArray& rotation, Turning a, Turning b, Turning c,
+                                 std::size_t begin, std::size_t end) {
   const double* w = rotation.w.data();
   const double* qx = rotation.x.data();
   const double* qy = rotation.y.data();
   const double* qz = rotation.z.data();
 #pragma GCC ivdep
-  for (std::size_t i = 0; i < n; ++i) {
+  for (std::size_t i = begin; i < end; ++i) {
     const Vector3 q{qx[i], qy[i], qz[i]};
     turn_one(w[i], q, a, i);
     turn_one(w[i], q, b, i);
@@ -58,9 +60,10 @@ struct NodeArrays {
 };
 
 /// Takes over positions. \param shift, stretch displacement along y that is not counted: shift [mm] + stretch [-] y
-KNITMECH_VECTORISE void move_chords(const NodeArrays a, double shift, double stretch, std::size_t n) {
+KNITMECH_VECTORISE void move_chords(const NodeArrays a, double shift, double stretch, std::size_t begin,
+                                    std::size_t end) {
 #pragma GCC ivdep
-  for (std::size_t i = 0; i < n; ++i) {
+  for (std::size_t i = begin; i < end; ++i) {
     const double dx = a.x[i] - a.x0[i];
     const double dy = a.y[i] - a.y0[i] - shift - stretch * a.y[i];
     const double dz = a.z[i] - a.z0[i];
@@ -73,9 +76,10 @@ KNITMECH_VECTORISE void move_chords(const NodeArrays a, double shift, double str
 
 /// Takes over positions and rotations. \param reach what a node moves besides, per change of its quaternion [mm]
 /// \param shift, stretch displacement along y that is not counted: shift [mm] + stretch [-] y
-KNITMECH_VECTORISE void move_nodes(const NodeArrays a, double reach, double shift, double stretch, std::size_t n) {
+KNITMECH_VECTORISE void move_nodes(const NodeArrays a, double reach, double shift, double stretch, std::size_t begin,
+                                   std::size_t end) {
 #pragma GCC ivdep
-  for (std::size_t i = 0; i < n; ++i) {
+  for (std::size_t i = begin; i < end; ++i) {
     const double dx = a.x[i] - a.x0[i];
     const double dy = a.y[i] - a.y0[i] - shift - stretch * a.y[i];
     const double dz = a.z[i] - a.z0[i];
@@ -125,7 +129,7 @@ void Centreline::set_stress_free(const model::Model& model) {
   }
 }
 
-void Centreline::update(const model::State& state, CommonMotion common, double step) {
+void Centreline::update(const model::State& state, CommonMotion common, double step, const base::ThreadTeam& team) {
   const model::VectorArray& x = state.position;
   const model::RotationArray& q = state.rotation;
   const std::size_t n = x.size();
@@ -144,13 +148,14 @@ void Centreline::update(const model::State& state, CommonMotion common, double s
                          rotation_.y.data(),
                          rotation_.z.data(),
                          moved_.data()};
-  if (!smooth_) {
-    move_chords(nodes, common.start * step, common.rate * step, n);
-    return;
-  }
-  move_nodes(nodes, 2 * reach_of_turn_, common.start * step, common.rate * step, n);
-  turn_all(q, turning(stress_free_tangent_, tangent_), turning(stress_free_bow_after_, bow_after_),
-           turning(stress_free_bow_before_, bow_before_), n);
+  const double shift = common.start * step;
+  const double stretch = common.rate * step;
+  team.for_ranges(n, base::kBlock, [&](std::size_t begin, std::size_t end) {
+    if (!smooth_) return move_chords(nodes, shift, stretch, begin, end);
+    move_nodes(nodes, 2 * reach_of_turn_, shift, stretch, begin, end);
+    turn_all(q, turning(stress_free_tangent_, tangent_), turning(stress_free_bow_after_, bow_after_),
+             turning(stress_free_bow_before_, bow_before_), begin, end);
+  });
 }
 
 model::VectorArray Centreline::piece_positions(const ContactElements& pieces) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/left_out.h"
+#include "base/thread_team.h"
 #include "contact/contact_elements.h"
 #include "contact/element_line.h"
 #include "contact/motion.h"
@@ -22,7 +23,8 @@ class Centreline {
 
   /// Moves the line to where the nodes are.
   /// \param common what is not counted as motion   \param step [s], that the common motion went on for
-  void update(const model::State& state, CommonMotion common, double step);
+  void update(const model::State& state, CommonMotion common, double step,
+              const base::ThreadTeam& team = base::ThreadTeam(1));
 
   /// How far the parts of the line that belong to each node moved in the last update at most, beside the common motion
   /// [mm]: the cubic stays within the hull of its Bezier points, which are the nodes and points a third of an element's
@@ -31,6 +33,8 @@ class Centreline {
   [[nodiscard]] const std::vector<double>& moved() const { return moved_; }
 
   [[nodiscard]] bool is_smooth() const { return smooth_; }
+  /// How far the line of an element can be from its chord's nearer end, beyond half the chord's length, at most [mm].
+  [[nodiscard]] double largest_overhang() const { return reach_of_turn_; }
   /// Of the nodes [mm].
   [[nodiscard]] const model::VectorArray& node_position() const { return node_position_; }
   /// Of the contact nodes [mm]; the nodes themselves on chords.

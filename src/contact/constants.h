@@ -12,6 +12,10 @@ inline constexpr double kSkin = 0.8;
 /// to be, at a half [-]. Smaller: fewer searches, of more elements each.
 inline constexpr double kSearchEarly = 0.25;
 
+/// Elements of which the neighbours are searched one by one [-]; more of them are sorted into a grid. What it costs:
+/// time only.
+inline constexpr std::size_t kFewElements = 60;
+
 /// Motion of a yarn after which all crossings are checked [yarn diameters]; see crossing_watch.h.
 inline constexpr double kCheckCrossings = 0.2;
 
@@ -55,15 +59,15 @@ inline constexpr double kStripMargin = 0.01;
 inline constexpr double kSidesAlike = 2.0;
 
 /// How near yarns are followed before they touch [sums of the radii]. Larger: fewer looks, more places to follow.
-inline constexpr double kFollowed = 0.12;
+inline constexpr double kFollowed = 0.16;
 
 /// Motion of both yarns of a pair that is followed, until it is looked at again [sums of the radii]. Must be less than
 /// kFollowed: what comes within reach is then known before it touches.
-inline constexpr double kLookAtPairAgain = 0.11;
+inline constexpr double kLookAtPairAgain = 0.15;
 
 /// Motion that a pair must still have left to sleep on when others are looked at [sums of the radii]. Larger: fewer
 /// looks, at more pairs each.
-inline constexpr double kLookEarly = 0.05;
+inline constexpr double kLookEarly = 0.03;
 
 /// Largest turn of a piece of the smooth centreline in the stress-free yarn [rad]. Elements that turn by more are cut
 /// for the contact: two pieces that hardly bend come closest in one place. Smaller: more pieces, more pairs to look at.

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "contact/constants.h"
+#include "contact/placed_points.h"
 #include "contact/touch_finder.h"
 
 namespace knitmech::contact {
@@ -67,10 +68,12 @@ class Layout {
         row->last = std::max(row->last, touch.last);
       }
     }
-    std::int32_t n_points = 0;
+    std::sort(overlap.rows.begin(), overlap.rows.end(),
+              [](const CellRow& a, const CellRow& b) { return a.cells < b.cells; });
+    std::size_t n_points = 0;
     for (CellRow& row : overlap.rows) {
-      row.first_point = n_points;
-      n_points += row.n_points();
+      row.first_point = static_cast<std::int32_t>(n_points);
+      n_points += rounded_up(static_cast<std::size_t>(row.n_points()));
     }
   }
 

@@ -1,8 +1,10 @@
 #include "contact/motion.h"
 
 #include <algorithm>
+#include <atomic>
 #include <limits>
 
+#include "base/blocks.h"
 #include "base/vectorise.h"
 
 namespace knitmech::contact {
@@ -11,10 +13,10 @@ namespace {
 
 /// An element moves by no more than the node that moved more. \return largest motion minus bound [mm]
 KNITMECH_VECTORISE double add_moves(const double* moved, double besides, const double* bound,
-                                    double* __restrict of_element, std::size_t n) {
+                                    double* __restrict of_element, std::size_t begin, std::size_t end) {
   double beyond = std::numeric_limits<double>::lowest();
 #pragma omp simd reduction(max : beyond)
-  for (std::size_t i = 0; i < n; ++i) {
+  for (std::size_t i = begin; i < end; ++i) {
     const double all = of_element[i] + (moved[i] > moved[i + 1] ? moved[i] : moved[i + 1]) + besides;
     of_element[i] = all;
     beyond = beyond > all - bound[i] ? beyond : all - bound[i];
@@ -52,9 +54,12 @@ CommonMotion fit_common_motion(const model::State& state) {
   return {sum_v / n - rate * sum_y / n, rate};
 }
 
-void Motion::add(const std::vector<double>& moved, double besides) {
-  has_reached_a_bound_ =
-      add_moves(moved.data(), besides, bound_.data(), of_element_.data(), of_element_.size() - 1) >= 0;
+void Motion::add(const std::vector<double>& moved, double besides, const base::ThreadTeam& team) {
+  std::atomic<bool> has_reached = false;
+  team.for_ranges(of_element_.size() - 1, base::kBlock, [&](std::size_t begin, std::size_t end) {
+    if (add_moves(moved.data(), besides, bound_.data(), of_element_.data(), begin, end) >= 0) has_reached = true;
+  });
+  has_reached_a_bound_ = has_reached;
 }
 
 double Motion::largest_since_search() const {

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "base/thread_team.h"
 #include "model/state.h"
 
 namespace knitmech::contact {
@@ -34,7 +35,7 @@ class Motion {
 
   /// Adds a step. \param moved how far each node's part of the centreline moved in it, one entry per node [mm]
   /// \param besides what the common motion may bring two yarns in contact nearer to each other, half of it [mm]
-  void add(const std::vector<double>& moved, double besides);
+  void add(const std::vector<double>& moved, double besides, const base::ThreadTeam& team = base::ThreadTeam(1));
 
   /// Motion of an element since the start [mm].
   [[nodiscard]] double of(std::size_t element) const { return of_element_[element]; }

@@ -61,7 +61,7 @@ struct Touch {
 struct CellRow {
   CutPiece cells{};
   std::int32_t first = 0, last = 0;  ///< which of them
-  std::int32_t first_point = 0;      ///< among the points of all rows of the overlap
+  std::int32_t first_point = 0;      ///< among the points of all rows of the overlap, see PlacedPoints
   [[nodiscard]] std::int32_t n_points() const { return 2 * (last - first) + 3; }
 
   template <class Archive>
@@ -107,9 +107,9 @@ struct ElementLoad {
 /// The strips on one piece of a yarn, with all they may touch.
 struct Overlap {
   CutPiece strips{};
-  std::vector<Touch> touches;  ///< ascending, whether crossings count them or not
-  std::vector<CellRow> rows;
-  std::vector<CellSpan> spans;
+  std::vector<Touch> touches;        ///< ascending, whether crossings count them or not
+  std::vector<CellRow> rows;         ///< ascending by their pieces
+  std::vector<CellSpan> spans;       ///< of each strip ascending by their points
   std::vector<Strip> laid;           ///< ascending by their number; those that no crossing counts
   std::vector<ElementLoad> loads{};  ///< of this step
 

@@ -24,12 +24,10 @@ PlaceRow row_of(const ContactElements& pieces, CutPiece cut, double first, doubl
   return {pieces.element_of(cut.piece), pieces.place_on_element(cut.piece, 0) + first * share, step * share, n};
 }
 
-double motion_of_rows(const SmoothStep& step, const ContactElements& pieces, const Overlap& overlap,
-                      const Strip& strip) {
-  double sum = 0;
-  for (std::int32_t s = strip.first_span; s < strip.first_span + strip.n_spans; ++s) {
-    const CellSpan& span = overlap.spans[static_cast<std::size_t>(s)];
-    const CellRow& row = overlap.rows[static_cast<std::size_t>(span.row)];
+/// Of the elements that an overlap has to do with, summed up: no two points of it have come nearer by more.
+double motion_of(const SmoothStep& step, const ContactElements& pieces, const Overlap& overlap) {
+  double sum = step.motion.of(static_cast<std::size_t>(pieces.element_of(overlap.strips.piece)));
+  for (const CellRow& row : overlap.rows) {
     sum += step.motion.of(static_cast<std::size_t>(pieces.element_of(row.cells.piece)));
   }
   return sum;
@@ -40,22 +38,22 @@ double radii_of(const SmoothStep& step, const Strip& strip) {
          step.elements.radius[static_cast<std::size_t>(strip.other.element)];
 }
 
-/// What the cells of a strip come to, per k w.
-struct StripSum {
-  double energy = 0, tangent = 0;
-  double weight = 0;   ///< sum of the forces' sizes
-  Vector3 force{};     ///< on the other yarn
-  Vector3 velocity{};  ///< of the other yarn's points, times their weights
-};
+/// The place of a point of the cells.
+YarnPlace place_of(const ContactElements& pieces, const Overlap& overlap, std::size_t point) {
+  const auto after = std::upper_bound(
+      overlap.rows.begin(), overlap.rows.end(), point,
+      [](std::size_t at, const CellRow& row) { return at < static_cast<std::size_t>(row.first_point); });
+  const CellRow& row = *(after - 1);
+  const double part = row.first + 0.5 * static_cast<double>(point - static_cast<std::size_t>(row.first_point));
+  return {pieces.element_of(row.cells.piece), pieces.place_on_element(row.cells.piece, part / row.cells.n)};
+}
 
 }  // namespace
 
-void OverlapWork::find_awake(const SmoothStep& step, const ContactElements& pieces, const Overlap& overlap) {
+void OverlapWork::find_awake(const Overlap& overlap, double moved) {
   awake_.clear();
-  const double own = step.motion.of(static_cast<std::size_t>(pieces.element_of(overlap.strips.piece)));
   for (std::size_t s = 0; s < overlap.laid.size(); ++s) {
-    const double moved = own + motion_of_rows(step, pieces, overlap, overlap.laid[s]);
-    if (moved >= overlap.laid[s].wake) awake_.push_back({s, moved, -1e9, 0, 0, 0});
+    if (moved >= overlap.laid[s].wake) awake_.push_back({s, -1e9, 0, 0, 0});
   }
 }
 
@@ -71,7 +69,10 @@ void OverlapWork::place(const SmoothStep& step, const ContactElements& pieces, c
     points_.add(row_of(pieces, row.cells, row.first, 0.5, static_cast<std::size_t>(row.n_points())), step.line,
                 step.state);
   }
-  if (depths_.size() < points_.size()) depths_.resize(points_.size());
+  if (depths_.size() < points_.size() + kPointsAtOnce) {
+    depths_.resize(points_.size() + kPointsAtOnce);
+    weights_.resize(points_.size() + kPointsAtOnce);
+  }
 }
 
 void OverlapWork::find_pressed_cells(const SmoothStep& step, const ContactElements& pieces, const Overlap& overlap,
@@ -97,53 +98,52 @@ void OverlapWork::find_pressed_cells(const SmoothStep& step, const ContactElemen
       const double end = depths_[p + 2];
       const double highest = std::max({start, middle, end});
       if (highest + kRiseBetweenPoints * std::abs(2 * (start + end - 2 * middle)) <= 0) continue;
-      cells_.push_back({static_cast<std::size_t>(span.row), first + p, cell_length});
+      cells_.push_back({first + p, cell_length});
       batch_.add(start, middle, end, radii);
     }
   }
   awake.n_cells = cells_.size() - awake.first_cell;
 }
 
-YarnPlace OverlapWork::place_of(const ContactElements& pieces, const CellRow& row, std::size_t point) const {
-  const double part = row.first + 0.5 * static_cast<double>(point - static_cast<std::size_t>(row.first_point));
-  return {pieces.element_of(row.cells.piece), pieces.place_on_element(row.cells.piece, part / row.cells.n)};
+/// Sets the weights of the points from the first to the last one that presses on a strip, per k w.
+OverlapWork::PointRange OverlapWork::weigh(const AwakeStrip& awake) {
+  const auto first_cell = cells_.begin() + static_cast<std::ptrdiff_t>(awake.first_cell);
+  const auto last_cell = first_cell + static_cast<std::ptrdiff_t>(awake.n_cells) - 1;
+  const PointRange range{first_cell->point, last_cell->point + 3 - first_cell->point};
+  std::fill_n(weights_.begin() + static_cast<std::ptrdiff_t>(range.first), rounded_up(range.n), 0.0);
+  for (std::size_t c = awake.first_cell; c < awake.first_cell + awake.n_cells; ++c) {
+    const PressedCell& cell = cells_[c];
+    const CellLoad load = batch_.load(c);
+    for (std::size_t k = 0; k < 3; ++k) weights_[cell.point + k] += cell.length * load.force[k];
+  }
+  return range;
 }
 
-void OverlapWork::press(const SmoothStep& step, const ContactElements& pieces, const AwakeStrip& awake,
+void OverlapWork::press(const SmoothStep& step, const ContactElements& pieces, const AwakeStrip& awake, double moved,
                         Overlap& overlap, ContactStep& done) {
   Strip& strip = overlap.laid[awake.strip];
   const double radii = radii_of(step, strip);
   const auto middle = static_cast<std::size_t>(strip.number) - first_middle_;
   const Vector3 here = middles_.position(middle);
-  const auto near = std::upper_bound(
-      overlap.rows.begin(), overlap.rows.end(), awake.nearest,
-      [](std::size_t point, const CellRow& row) { return point < static_cast<std::size_t>(row.first_point); });
-  strip.other = place_of(pieces, *(near - 1), awake.nearest);
-
-  StripSum sum;
-  for (std::size_t c = awake.first_cell; c < awake.first_cell + awake.n_cells; ++c) {
-    const PressedCell& cell = cells_[c];
-    const CellLoad load = batch_.load(c);
-    sum.energy += cell.length * load.energy;
-    sum.tangent += cell.length * load.tangent;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const double weight = cell.length * load.force[k];
-      sum.weight += weight;
-      sum.force = sum.force + (weight / radii) * (points_.position(cell.point + k) - here);
-      sum.velocity = sum.velocity + weight * points_.velocity(cell.point + k);
-    }
+  strip.other = place_of(pieces, overlap, awake.nearest);
+  PointRange pressed{};
+  PlacedPoints::WeightedSum sum;
+  if (awake.n_cells > 0) {
+    pressed = weigh(awake);
+    sum = points_.sum(pressed.first, pressed.n, &weights_[pressed.first]);
   }
   if (sum.weight <= 0) {
     strip.now = {};
     const double gap = std::sqrt(radii * radii - 2 * radii * awake.greatest_depth) - radii;
-    strip.wake = awake.moved + std::max(gap - kStripMargin * radii, 0.0);
+    strip.wake = moved + std::max(gap - kStripMargin * radii, 0.0);
     return;
   }
   const double strip_length = part_length(step, pieces, overlap.strips);
   const double scale = step.density_factor * step.law.stiffness / (radii * radii) * strip_length;
-  const double size = length(sum.force);
+  const Vector3 force = (1 / radii) * (sum.position - sum.weight * here);
+  const double size = length(force);
   const double load = scale * size;
-  const Vector3 normal = (1 / size) * sum.force;
+  const Vector3 normal = (1 / size) * force;
   const auto a = static_cast<std::size_t>(strip.at.element);
   const auto b = static_cast<std::size_t>(strip.other.element);
   if (dot(strip.now.stick.normal, normal) < 0 && !done.lost) {
@@ -154,51 +154,47 @@ void OverlapWork::press(const SmoothStep& step, const ContactElements& pieces, c
   const Vector3 slip = step.length * ((1 / sum.weight) * sum.velocity - middles_.velocity(middle));
   const FrictionStep friction = friction_step(strip.now.stick, normal, slip, limit, stick);
   done.friction_loss += friction.loss;
+  points_.add_forces(pressed.first, pressed.n, &weights_[pressed.first], scale / radii, here,
+                     (1 / sum.weight) * friction.force);
+  middles_.add_force(middle, -1.0 * (scale * force + friction.force));
+
+  double energy = 0;
+  double tangent = 0;
   for (std::size_t c = awake.first_cell; c < awake.first_cell + awake.n_cells; ++c) {
-    const PressedCell& cell = cells_[c];
-    const CellLoad cell_load = batch_.load(c);
-    for (std::size_t k = 0; k < 3; ++k) {
-      const double weight = cell.length * cell_load.force[k];
-      const Vector3 between = points_.position(cell.point + k) - here;
-      points_.add_force(cell.point + k, (scale * weight / radii) * between + (weight / sum.weight) * friction.force,
-                        on_rows_[cell.row]);
-    }
+    energy += cells_[c].length * batch_.load(c).energy;
+    tangent += cells_[c].length * batch_.load(c).tangent;
   }
-  middles_.add_force(middle, -1.0 * (scale * sum.force + friction.force), on_strips_);
   const double penetration = radii - std::sqrt(std::max(radii * radii - 2 * radii * awake.greatest_depth, 0.0));
   strip.now.penetration = std::max(penetration, 0.0);
   strip.now.load = load;
-  strip.now.tangent = scale * sum.tangent;
-  strip.now.energy = scale * sum.energy;
+  strip.now.tangent = scale * tangent;
+  strip.now.energy = scale * energy;
   strip.now.stick_stiffness = stick;
   done.largest_penetration = std::max(done.largest_penetration, strip.now.penetration);
 }
 
 void OverlapWork::give_loads(const SmoothStep& step, const ContactElements& pieces, Overlap& overlap) const {
-  const auto give = [&](std::int32_t piece, const RowLoad& load) {
+  const auto give = [&](std::int32_t piece, const PlacedPoints& points, std::size_t first, std::size_t n) {
     const std::int32_t element = pieces.element_of(piece);
-    overlap.loads.push_back({element, to_nodes(step.line.element(static_cast<std::size_t>(element)), load)});
+    overlap.loads.push_back({element, points.to_nodes(step.line.element(static_cast<std::size_t>(element)), first, n)});
   };
-  give(overlap.strips.piece, on_strips_);
-  for (std::size_t r = 0; r < overlap.rows.size(); ++r) {
-    const Vector3 all = on_rows_[r].all;
-    const Vector3 turns = on_rows_[r].turns_start;
-    if (dot(all, all) + dot(turns, turns) > 0) give(overlap.rows[r].cells.piece, on_rows_[r]);
+  give(overlap.strips.piece, middles_, 0, middles_.size());
+  for (const CellRow& row : overlap.rows) {
+    give(row.cells.piece, points_, static_cast<std::size_t>(row.first_point), static_cast<std::size_t>(row.n_points()));
   }
 }
 
 void OverlapWork::evaluate(const SmoothStep& step, const ContactElements& pieces, Overlap& overlap, ContactStep& done) {
   overlap.loads.clear();
-  find_awake(step, pieces, overlap);
+  const double moved = motion_of(step, pieces, overlap);
+  find_awake(overlap, moved);
   if (awake_.empty()) return;
   place(step, pieces, overlap);
   cells_.clear();
   batch_.clear();
   for (AwakeStrip& awake : awake_) find_pressed_cells(step, pieces, overlap, awake);
   batch_.integrate();
-  on_strips_ = {};
-  on_rows_.assign(overlap.rows.size(), {});
-  for (const AwakeStrip& awake : awake_) press(step, pieces, awake, overlap, done);
+  for (const AwakeStrip& awake : awake_) press(step, pieces, awake, moved, overlap, done);
   if (!cells_.empty()) give_loads(step, pieces, overlap);
 }
 

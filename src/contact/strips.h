@@ -33,34 +33,36 @@ class OverlapWork {
   /// A strip that is awake, and its cells on which the depth is above 0.
   struct AwakeStrip {
     std::size_t strip;
-    double moved;
     double greatest_depth;  ///< at a point [mm]
     std::size_t nearest;    ///< point with that depth
     std::size_t first_cell, n_cells;
   };
   /// A cell that may press.
   struct PressedCell {
-    std::size_t row, point;  ///< its first point
-    double length;           ///< [mm]
+    std::size_t point;  ///< its first point
+    double length;      ///< [mm]
   };
 
-  void find_awake(const SmoothStep& step, const ContactElements& pieces, const Overlap& overlap);
+  struct PointRange {
+    std::size_t first, n;
+  };
+
+  void find_awake(const Overlap& overlap, double moved);
   void place(const SmoothStep& step, const ContactElements& pieces, const Overlap& overlap);
   void find_pressed_cells(const SmoothStep& step, const ContactElements& pieces, const Overlap& overlap,
                           AwakeStrip& awake);
-  void press(const SmoothStep& step, const ContactElements& pieces, const AwakeStrip& awake, Overlap& overlap,
-             ContactStep& done);
+  [[nodiscard]] PointRange weigh(const AwakeStrip& awake);
+  void press(const SmoothStep& step, const ContactElements& pieces, const AwakeStrip& awake, double moved,
+             Overlap& overlap, ContactStep& done);
   void give_loads(const SmoothStep& step, const ContactElements& pieces, Overlap& overlap) const;
-  [[nodiscard]] YarnPlace place_of(const ContactElements& pieces, const CellRow& row, std::size_t point) const;
 
   std::vector<AwakeStrip> awake_;
   PlacedPoints middles_, points_;  ///< of the strips; of the cells
   std::size_t first_middle_ = 0;   ///< number of the strip whose middle comes first
   std::vector<double> depths_;     ///< of a strip
+  std::vector<double> weights_;    ///< of all points, for a strip [mm^2]
   std::vector<PressedCell> cells_;
   CellBatch batch_;
-  RowLoad on_strips_;
-  std::vector<RowLoad> on_rows_;
 };
 
 }  // namespace knitmech::contact

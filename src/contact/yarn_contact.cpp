@@ -7,6 +7,7 @@
 #include "contact/constants.h"
 #include "contact/frequency_bound.h"
 #include "contact/look_for_contacts.h"
+#include "contact/search_around.h"
 
 namespace knitmech::contact {
 
@@ -39,23 +40,30 @@ YarnContact::YarnContact(const model::Model& model)
 /// The neighbours of those elements that have moved since they were searched last. A free end that whips about has them
 /// searched often, the fabric behind it seldom.
 void YarnContact::search(const model::State& state) {
+  std::vector<std::int32_t> due;
   std::vector<char> is_due(pieces_.n_nodes(), 0);
+  const auto m = static_cast<std::size_t>(pieces_.pieces_per_element);
   for (std::size_t i = 0; i < elements_.n_nodes(); ++i) {
     if (motion_.since_search(i) < kSearchEarly * skin_) continue;
     motion_.searched(i);
-    const auto m = static_cast<std::size_t>(pieces_.pieces_per_element);
+    due.push_back(static_cast<std::int32_t>(i));
     std::fill_n(is_due.begin() + static_cast<std::ptrdiff_t>(i * m), std::min(m, pieces_.n_nodes() - i * m), 1);
   }
+  watch_.renew(is_due,
+               due.size() <= kFewElements ? search_around(due, pieces_, centreline_, skin_) : search_all(is_due));
+  common_motion_ = fit_common_motion(state);
+  ++searches_;
+  check_crossings();
+}
+
+std::vector<ElementPair> YarnContact::search_all(const std::vector<char>& is_due) const {
   std::vector<double> bulges(pieces_.n_nodes(), 0.0);
   for (std::size_t i = 0; i < bulges.size(); ++i) {
     if (centreline_.is_smooth() && pieces_.exists[i] != 0) {
       bulges[i] = bulge(centreline_.piece_curve(pieces_, static_cast<std::int32_t>(i)));
     }
   }
-  watch_.renew(is_due, find_neighbours(pieces_, centreline_.piece_positions(pieces_), bulges, skin_, is_due));
-  common_motion_ = fit_common_motion(state);
-  ++searches_;
-  check_crossings();
+  return find_neighbours(pieces_, centreline_.piece_positions(pieces_), bulges, skin_, is_due);
 }
 
 void YarnContact::check_crossings() {
@@ -79,10 +87,10 @@ void YarnContact::look() {
 
 void YarnContact::add_forces(const model::State& state, double step, model::NodalLoads& loads,
                              const base::ThreadTeam& team) {
-  centreline_.update(state, common_motion_, step);
+  centreline_.update(state, common_motion_, step, team);
   // Two yarns in contact are at most a few radii apart along y; as much of the common stretch is between them.
   const double stretch = std::abs(common_motion_.rate) * step;
-  motion_.add(centreline_.moved(), stretch * (2 * pieces_.largest_radius + skin_));
+  motion_.add(centreline_.moved(), stretch * (2 * pieces_.largest_radius + skin_), team);
   if (motion_.has_reached_a_bound() || followed_.asks_for_look) {
     if (motion_.largest_since_search() >= 0.5 * skin_) search(state);
     if (motion_.largest_since_check() >= kCheckCrossings * 2 * pieces_.largest_radius) check_crossings();

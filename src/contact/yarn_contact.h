@@ -66,6 +66,7 @@ class YarnContact {
 
  private:
   void search(const model::State& state);
+  [[nodiscard]] std::vector<ElementPair> search_all(const std::vector<char>& is_due) const;
   void look();
   void find_on_chords(const model::State& state, double step, model::NodalLoads& loads);
 

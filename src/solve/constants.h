@@ -74,7 +74,7 @@ inline constexpr double kTautEnergy = 0.03;
 
 /// Kinetic energy of the motion relative to an even stretch over strain energy that the pace tends to [-]. Larger:
 /// faster, and the fabric comes to rest less between two snaps.
-inline constexpr double kStrayGoal = 0.007;
+inline constexpr double kStrayGoal = 0.01;
 
 /// Kinetic over strain energy that the pace tends to where results are judged [-]; the limit there is 0.05 (see
 /// results/constants.h), of which a snap needs its part. Smaller: slower just behind the toe.

@@ -2,11 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numbers>
 #include <random>
 
 #include "../../support/beam_case.h"
 #include "base/segment_distance.h"
+#include "contact/search_around.h"
 
 namespace knitmech::contact {
 namespace {
@@ -58,6 +60,68 @@ TEST(NeighbourSearch, GivenRandomTangles_ThenItFindsExactlyThePairsOfAPlainSearc
       EXPECT_EQ(found[i].second, expected[i].second);
     }
   }
+}
+
+TEST(NeighbourSearch, GivenSomeElementsThatAreDue_ThenBothSearchesFindExactlyThePairsOfThese) {
+  std::mt19937 random(9);
+  for (int trial = 0; trial < 20; ++trial) {
+    model::Model model = test::yarns_through({tangle(random, 60), tangle(random, 40), tangle(random, 1)},
+                                             test::section(19, 6, 0.017, 0.012, 1e-11, 0.12));
+    model.centreline = model::Centreline::chords;
+    const ContactElements elements = make_contact_elements(model);
+    const model::State state = test::state_of(model);
+    Centreline line(model);
+    line.update(state, {}, 0);
+    std::vector<char> is_due(elements.n_nodes(), 0);
+    std::vector<std::int32_t> due;
+    for (std::size_t i = 0; i < elements.n_nodes(); ++i) {
+      if (std::uniform_int_distribution<int>(0, 4)(random) > 0) continue;
+      is_due[i] = 1;
+      due.push_back(static_cast<std::int32_t>(i));
+    }
+    std::vector<ElementPair> expected = brute_force(elements, state.position, 0.05);
+    std::erase_if(expected, [&](ElementPair pair) {
+      return is_due[static_cast<std::size_t>(pair.first)] == 0 && is_due[static_cast<std::size_t>(pair.second)] == 0;
+    });
+    ASSERT_GT(expected.size(), 0U);
+    const std::vector<double> no_bulge(elements.n_nodes(), 0.0);
+    EXPECT_EQ(find_neighbours(elements, state.position, no_bulge, 0.05, is_due), expected);
+    EXPECT_EQ(search_around(due, elements, line, 0.05), expected);
+  }
+}
+
+TEST(NeighbourSearch, GivenCurvedElementsThatAreDue_ThenNoNearPairOfPiecesIsMissed) {
+  std::mt19937 random(31);
+  int n_near = 0;
+  for (int trial = 0; trial < 20; ++trial) {
+    model::Model model =
+        test::yarns_through({tangle(random, 30), tangle(random, 30)}, test::section(19, 6, 0.017, 0.012, 1e-11, 0.12));
+    model.centreline = model::Centreline::smooth;
+    const ContactElements pieces = make_contact_elements(model);
+    Centreline line(model);
+    line.update(test::state_of(model), {}, 0);
+    std::vector<std::int32_t> all;
+    for (std::int32_t i = 0; i < static_cast<std::int32_t>(model.nodes.size()); ++i) all.push_back(i);
+    const std::vector<ElementPair> found = search_around(all, pieces, line, 0.05);
+    for (std::size_t a = 0; a < pieces.n_nodes(); ++a) {
+      for (std::size_t b = a + 1; b < pieces.n_nodes(); ++b) {
+        if (pieces.exists[a] == 0 || pieces.exists[b] == 0 || too_near_along_yarn(pieces, a, b)) continue;
+        const ElementPair pair{static_cast<std::int32_t>(a), static_cast<std::int32_t>(b)};
+        const Curve first = line.piece_curve(pieces, pair.first);
+        const Curve second = line.piece_curve(pieces, pair.second);
+        double least = 1e9;
+        for (int i = 0; i <= 20; ++i) {
+          for (int j = 0; j <= 20; ++j) {
+            least = std::min(least, length(combine(first, hermite(i / 20.0)) - combine(second, hermite(j / 20.0))));
+          }
+        }
+        if (least >= 0.12 + 0.05) continue;
+        ++n_near;
+        EXPECT_TRUE(std::binary_search(found.begin(), found.end(), pair)) << trial << ": " << a << ", " << b;
+      }
+    }
+  }
+  EXPECT_GT(n_near, 100);
 }
 
 TEST(NeighbourSearch, GivenOneYarnFlungFarAway_ThenTheGridDoesNotGrowWithTheDistance) {

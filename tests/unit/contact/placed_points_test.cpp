@@ -29,13 +29,21 @@ struct Moving {
 
 constexpr std::array<PlaceRow, 2> kRows = {PlaceRow{1, 0.05, 0.1, 9}, PlaceRow{5, 0.25, 0.375, 2}};
 
-std::vector<YarnPlace> places() {
-  std::vector<YarnPlace> places;
+struct PointAt {
+  std::size_t point;  ///< number among the placed ones
+  YarnPlace place;
+};
+
+std::vector<PointAt> points_of_rows() {
+  std::vector<PointAt> points;
+  std::size_t first = 0;
   for (const PlaceRow& row : kRows) {
-    for (std::size_t i = 0; i < row.n; ++i)
-      places.push_back({row.element, row.first + static_cast<double>(i) * row.step});
+    for (std::size_t i = 0; i < row.n; ++i) {
+      points.push_back({first + i, {row.element, row.first + static_cast<double>(i) * row.step}});
+    }
+    first += rounded_up(row.n);
   }
-  return places;
+  return points;
 }
 
 TEST(PlacedPoints, GivenMovingYarns_ThenPointsHavePositionsAndVelocitiesOfTheirPlaces) {
@@ -44,10 +52,8 @@ TEST(PlacedPoints, GivenMovingYarns_ThenPointsHavePositionsAndVelocitiesOfTheirP
   const Scene& scene = yarns.scene;
   PlacedPoints points;
   EXPECT_EQ(points.add(kRows[0], scene.line, scene.state), 0U);
-  EXPECT_EQ(points.add(kRows[1], scene.line, scene.state), 9U);
-  ASSERT_EQ(points.size(), places().size());
-  for (std::size_t p = 0; p < points.size(); ++p) {
-    const YarnPlace place = places()[p];
+  EXPECT_EQ(points.add(kRows[1], scene.line, scene.state), 16U) << "the next multiple of the points at once";
+  for (const auto& [p, place] : points_of_rows()) {
     EXPECT_LT(length(points.position(p) - scene.line.point(place)), 1e-14);
     EXPECT_LT(length(points.velocity(p) - scene.line.velocity(scene.state, place)), 1e-12);
   }
@@ -75,17 +81,27 @@ TEST(PlacedPoints, GivenForcesOnThem_ThenTheNodesGetWhatForcesAtThePlacesGive) {
   const Scene& scene = yarns.scene;
   PlacedPoints points;
   for (const PlaceRow& row : kRows) points.add(row, scene.line, scene.state);
-  std::array<RowLoad, 2> rows;
+  const double by = 3;
+  const Vector3 from = noise(random, 1);
+  const Vector3 besides = noise(random, 1);
+  std::vector<double> weight(points.size() + kPointsAtOnce, 0.0);
   model::NodalLoads expected(8);
-  for (std::size_t p = 0; p < points.size(); ++p) {
-    const Vector3 force = noise(random, 1);
-    points.add_force(p, force, rows[p < kRows[0].n ? 0 : 1]);
-    scene.line.spread(places()[p], force, expected);
+  Vector3 weighted_positions{};
+  for (const auto& [p, place] : points_of_rows()) {
+    weight[p] = noise(random, 1).x;
+    scene.line.spread(place, weight[p] * (by * (points.position(p) - from) + besides), expected);
+    if (p < 9) weighted_positions = weighted_positions + weight[p] * points.position(p);
   }
+  EXPECT_LT(length(points.sum(0, 9, weight.data()).position - weighted_positions), 1e-14);
+  points.add_forces(0, 9, weight.data(), by, from, besides);
+  points.add_forces(16, 2, &weight[16], by, from, besides);
+  const Vector3 alone = noise(random, 1);
+  points.add_force(17, alone);
+  scene.line.spread(points_of_rows().back().place, alone, expected);
   model::NodalLoads loads(8);
   for (std::size_t r = 0; r < 2; ++r) {
     const auto element = static_cast<std::size_t>(kRows[r].element);
-    const EndLoads ends = to_nodes(scene.line.element(element), rows[r]);
+    const EndLoads ends = points.to_nodes(scene.line.element(element), 16 * r, kRows[r].n);
     loads.force.add(element, ends.start_force);
     loads.force.add(element + 1, ends.end_force);
     loads.moment.add(element, ends.start_moment);
