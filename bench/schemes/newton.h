@@ -11,7 +11,7 @@ struct Newton {
   std::string name;
   double increment = 0;  ///< of strain [-], the largest
   double tolerance = 0;  ///< residual over grip force [-], see StaticFabric::is_at_rest()
-  double budget = 0;     ///< [s], real time after which it ends
+  double budget = 0;     ///< [s], processor time after which it ends
 };
 
 /// Newton's method in increments of strain that are cut where it fails and grow where it does not.

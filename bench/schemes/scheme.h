@@ -1,6 +1,6 @@
 #pragma once
 
-#include <chrono>
+#include <ctime>
 #include <string>
 
 #include "schemes/force_curve.h"
@@ -11,20 +11,19 @@ namespace knitmech::bench {
 struct SchemeResult {
   std::string name;
   long evaluations = 0;  ///< of all forces on the nodes
-  double seconds = 0;    ///< [s]
+  double seconds = 0;    ///< of the processor [s]
   ForceCurve curve;
   std::string note;  ///< what else is to be told of it
 };
 
-/// Real time since it was made.
+/// Processor time of this program since it was made, which says more than real time on a machine that has other work;
+/// all schemes use one thread.
 class Clock {
  public:
-  [[nodiscard]] double seconds() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  }
+  [[nodiscard]] double seconds() const { return static_cast<double>(std::clock() - start_) / CLOCKS_PER_SEC; }
 
  private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  std::clock_t start_ = std::clock();
 };
 
 }  // namespace knitmech::bench
