@@ -26,6 +26,8 @@ StaticFabric::StaticFabric(const model::Model& model)
   const auto [low, high] = std::minmax_element(model.nodes.begin(), model.nodes.end(),
                                                [](const auto& a, const auto& b) { return a.y() < b.y(); });
   for (const Eigen::Vector3d& node : model.nodes) share_.push_back((node.y() - low->y()) / (high->y() - low->y()));
+  for (const int node : model.node_sets.at(model.test.held_set)) share_[static_cast<std::size_t>(node)] = 0;
+  for (const int node : model.node_sets.at(model.test.driven_set)) share_[static_cast<std::size_t>(node)] = 1;
   for (const model::ModelYarn& yarn : model.yarns) {
     element_length_ += model.arc_length[static_cast<std::size_t>(yarn.first_node + yarn.n_nodes - 1)];
   }

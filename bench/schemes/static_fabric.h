@@ -20,8 +20,8 @@ class StaticFabric {
   /// \param motion [s], for which the velocities went on since the contact was asked before
   void set_loads(const model::State& state, double motion, contact::YarnContact& contact, model::NodalLoads& loads);
 
-  /// Moves all nodes along y as an even stretch does that takes the driven grip along by a displacement [mm], and sets
-  /// the velocities to that motion within a time [s].
+  /// Moves the driven grip along y by a displacement [mm] and all nodes between the grips evenly, and sets the
+  /// velocities to that motion within a time [s].
   void stretch(double displacement, double time, model::State& state) const;
 
   /// Root of the sum of the squares of all loads that no grip bears [N], moments by the length of an element.
