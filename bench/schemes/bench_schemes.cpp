@@ -110,15 +110,15 @@ void compare(const Options& options) {
 }  // namespace
 }  // namespace knitmech::bench
 
-int main(int argc, char** argv) {
+int main(int argc, char** argv) try {
   CLI::App app{"Compares ways to the quasi-static curve of a small fabric"};
   try {
     knitmech::bench::compare(knitmech::bench::read_options(argc, argv, app));
   } catch (const CLI::ParseError& error) {
     return app.exit(error);
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "{}\n", error.what());
-    return 1;
   }
   return 0;
+} catch (const std::exception& error) {
+  (void)std::fputs(error.what(), stderr);
+  return 1;
 }

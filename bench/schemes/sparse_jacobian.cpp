@@ -1,6 +1,7 @@
 #include "schemes/sparse_jacobian.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 
@@ -55,6 +56,17 @@ std::vector<int> nodes_about(const model::Model& model, contact::YarnPlace place
   return nodes;
 }
 
+/// Takes what the nodes of some rows have in a column.
+void add_column(const Unknowns& unknowns, const std::vector<int>& rows, int column, const Eigen::VectorXd& slopes,
+                std::vector<Eigen::Triplet<double>>& entries) {
+  for (const int row : rows) {
+    for (std::size_t k = 0; k < 6; ++k) {
+      const int index = unknowns.of(static_cast<std::size_t>(row), k);
+      if (index >= 0) entries.emplace_back(index, column, slopes[index]);
+    }
+  }
+}
+
 }  // namespace
 
 Unknowns::Unknowns(const model::Model& model) : index_(6 * model.nodes.size(), -1) {
@@ -76,7 +88,7 @@ Eigen::VectorXd Unknowns::gather(const model::NodalLoads& loads) const {
   for (std::size_t node = 0; node < n_nodes(); ++node) {
     const Vector3 f = loads.force.at(node);
     const Vector3 m = loads.moment.at(node);
-    const double all[] = {f.x, f.y, f.z, m.x, m.y, m.z};
+    const std::array<double, 6> all{f.x, f.y, f.z, m.x, m.y, m.z};
     for (std::size_t k = 0; k < 6; ++k) {
       if (of(node, k) >= 0) values[of(node, k)] = all[k];
     }
@@ -108,6 +120,7 @@ std::vector<std::vector<int>> coupled_nodes(const model::Model& model,
     couple(nodes);
   }
   std::vector<std::vector<int>> lists;
+  lists.reserve(coupled.size());
   for (const std::set<int>& nodes : coupled) lists.emplace_back(nodes.begin(), nodes.end());
   return lists;
 }
@@ -120,19 +133,16 @@ Eigen::SparseMatrix<double> jacobian(const Unknowns& unknowns, const std::vector
   std::vector<Eigen::Triplet<double>> entries;
   for (int colour = 0; colour < n_colours; ++colour) {
     for (std::size_t k = 0; k < 6; ++k) {
+      std::vector<std::size_t> moved;
       Eigen::VectorXd by = Eigen::VectorXd::Zero(unknowns.size());
       for (std::size_t node = 0; node < colours.size(); ++node) {
-        if (colours[node] == colour && unknowns.of(node, k) >= 0) by[unknowns.of(node, k)] = kDifference;
+        if (colours[node] != colour || unknowns.of(node, k) < 0) continue;
+        moved.push_back(node);
+        by[unknowns.of(node, k)] = kDifference;
       }
       const Eigen::VectorXd slopes = (loads(by) - here) / kDifference;
-      for (std::size_t node = 0; node < colours.size(); ++node) {
-        if (colours[node] != colour || unknowns.of(node, k) < 0) continue;
-        for (const int row : coupled[node]) {
-          for (std::size_t c = 0; c < 6; ++c) {
-            const int index = unknowns.of(static_cast<std::size_t>(row), c);
-            if (index >= 0) entries.emplace_back(index, unknowns.of(node, k), slopes[index]);
-          }
-        }
+      for (const std::size_t node : moved) {
+        add_column(unknowns, coupled[node], unknowns.of(node, k), slopes, entries);
       }
     }
   }
