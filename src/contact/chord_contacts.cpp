@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/blocks.h"
 #include "base/segment_distance.h"
 #include "contact/constants.h"
 #include "contact/normal_law.h"
@@ -48,6 +49,52 @@ KNITMECH_INLINE Approach approach(const model::VectorArray& position, std::size_
   return {at, start_second + at.t * along_second - start_first - at.s * along_first};
 }
 
+/// Near chords, and contacts, that one thread takes at a time [-]; the same for any number of threads.
+constexpr std::size_t kAtOnce = 64;
+
+std::size_t n_shares(std::size_t n) {
+  return (n + kAtOnce - 1) / kAtOnce;
+}
+
+/// Calls work(share, begin, end) for each share of n, on the threads of a team.
+template <typename Work>
+void for_shares(const base::ThreadTeam& team, std::size_t n, const Work& work) {
+  team.run([&](std::size_t part) {
+    for (std::size_t share = part; share < n_shares(n); share += team.size()) {
+      work(share, share * kAtOnce, std::min((share + 1) * kAtOnce, n));
+    }
+  });
+}
+
+/// Velocity of the material at a place of a chord [mm/s].
+Vector3 chord_velocity(const model::State& state, YarnPlace place) {
+  const auto i = static_cast<std::size_t>(place.element);
+  return (1 - place.share) * state.velocity.at(i) + place.share * state.velocity.at(i + 1);
+}
+
+/// A force at a place of a chord, as its nodes feel it.
+ElementLoad load_on_chord(YarnPlace place, Vector3 force) {
+  return {place.element, {(1 - place.share) * force, place.share * force, {0, 0, 0}, {0, 0, 0}}};
+}
+
+/// Friction of a contact, and its whole force on the second yarn.
+Vector3 force_of(const StepOfContacts& step, ContactPoint& point, ContactStep& done) {
+  if (dot(point.stick.normal, point.normal) < 0 && !done.lost) {
+    done.lost = LostCrossing{point.first.element, point.second.element,
+                             step.line.node_position().at(static_cast<std::size_t>(point.first.element))};
+  }
+  const Vector3 motion =
+      step.length * (chord_velocity(step.state, point.second) - chord_velocity(step.state, point.first));
+  const double friction =
+      step.law.friction.between(step.elements.section[static_cast<std::size_t>(point.first.element)],
+                                step.elements.section[static_cast<std::size_t>(point.second.element)]);
+  const FrictionStep stick =
+      friction_step(point.stick, point.normal, motion, friction * point.load, point.stick_stiffness);
+  done.friction_loss += stick.loss;
+  done.largest_penetration = std::max(done.largest_penetration, point.penetration);
+  return point.load * point.normal + stick.force;
+}
+
 }  // namespace
 
 void look_at_chords(const ContactElements& elements, const model::VectorArray& position, Motion& motion,
@@ -72,7 +119,7 @@ void look_at_chords(const ContactElements& elements, const model::VectorArray& p
 }
 
 void find_chord_contacts(const YarnElements& elements, const Motion& motion, const model::VectorArray& position,
-                         double stiffness, std::vector<NearChords>& near, std::vector<ChordContact>& found) {
+                         double stiffness, std::span<NearChords> near, std::vector<ChordContact>& found) {
   found.clear();
   for (NearChords& chords : near) {
     const ElementPair pair = chords.pair;
@@ -111,6 +158,42 @@ void recall(const std::vector<ChordContact>& before, std::vector<ChordContact>& 
       contact.point.stick = moved->point.stick;
     }
   }
+}
+
+void ChordForces::find(const StepOfContacts& step, const base::ThreadTeam& team, std::vector<NearChords>& near) {
+  std::swap(contacts_, before_);
+  if (found_.size() < n_shares(near.size())) found_.resize(n_shares(near.size()));
+  for_shares(team, near.size(), [&](std::size_t share, std::size_t begin, std::size_t end) {
+    find_chord_contacts(step.elements, step.motion, step.line.node_position(), step.law.stiffness,
+                        std::span(near).subspan(begin, end - begin), found_[share]);
+  });
+  contacts_.clear();
+  for (std::size_t share = 0; share < n_shares(near.size()); ++share) {
+    contacts_.insert(contacts_.end(), found_[share].begin(), found_[share].end());
+  }
+  recall(before_, contacts_);
+}
+
+ContactStep ChordForces::add(const StepOfContacts& step, const base::ThreadTeam& team, std::vector<NearChords>& near,
+                             model::NodalLoads& loads) {
+  find(step, team, near);
+  const std::size_t n = contacts_.size();
+  on_elements_.resize(2 * n);
+  done_.assign(n_shares(n), {});
+  for_shares(team, n, [&](std::size_t share, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      ContactPoint& point = contacts_[i].point;
+      const Vector3 force = force_of(step, point, done_[share]);
+      on_elements_[2 * i] = load_on_chord(point.second, force);
+      on_elements_[2 * i + 1] = load_on_chord(point.first, -1.0 * force);
+    }
+  });
+  team.for_ranges(loads.force.size(), base::kBlock, [&](std::size_t begin, std::size_t end) {
+    for (const ElementLoad& load : on_elements_) add_within(load, begin, end, loads);
+  });
+  ContactStep sum;
+  for (const ContactStep& done : done_) sum.add(done);
+  return sum;
 }
 
 }  // namespace knitmech::contact

@@ -1,9 +1,14 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
+#include "base/left_out.h"
+#include "base/thread_team.h"
 #include "contact/contact_points.h"
+#include "contact/contact_step.h"
+#include "contact/element_load.h"
 #include "contact/pair_watch.h"
 #include "model/state.h"
 
@@ -52,12 +57,36 @@ void look_at_chords(const ContactElements& elements, const model::VectorArray& p
 /// \param near chords that are apart are left until they might touch
 /// \param stiffness K of a crossing [N/mm]
 void find_chord_contacts(const YarnElements& elements, const Motion& motion, const model::VectorArray& position,
-                         double stiffness, std::vector<NearChords>& near, std::vector<ChordContact>& found);
+                         double stiffness, std::span<NearChords> near, std::vector<ChordContact>& found);
 
 /// Gives every contact the memory that it had a step before; a contact that has slid on to another chord takes that of
 /// the same place on the adjacent chord of either yarn, if it pressed in nearly the same direction and is not found
 /// there any more.
 /// \param before, now ascending by key
 void recall(const std::vector<ChordContact>& before, std::vector<ChordContact>& now);
+
+/// The forces of contacts on chords, from step to step.
+class ChordForces {
+ public:
+  /// Adds normal and friction forces to the nodes; the same to the last bit for any number of threads.
+  ContactStep add(const StepOfContacts& step, const base::ThreadTeam& team, std::vector<NearChords>& near,
+                  model::NodalLoads& loads);
+
+  /// Those of the last step, ascending by key.
+  [[nodiscard]] const std::vector<ChordContact>& contacts() const { return contacts_; }
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(contacts_, base::left_out(before_, found_, on_elements_, done_));
+  }
+
+ private:
+  void find(const StepOfContacts& step, const base::ThreadTeam& team, std::vector<NearChords>& near);
+
+  std::vector<ChordContact> contacts_, before_;
+  std::vector<std::vector<ChordContact>> found_;  ///< by the shares of the threads
+  std::vector<ElementLoad> on_elements_;          ///< two for each contact
+  std::vector<ContactStep> done_;                 ///< by the shares of the threads
+};
 
 }  // namespace knitmech::contact

@@ -59,15 +59,15 @@ inline constexpr double kStripMargin = 0.01;
 inline constexpr double kSidesAlike = 2.0;
 
 /// How near yarns are followed before they touch [sums of the radii]. Larger: fewer looks, more places to follow.
-inline constexpr double kFollowed = 0.16;
+inline constexpr double kFollowed = 0.12;
 
 /// Motion of both yarns of a pair that is followed, until it is looked at again [sums of the radii]. Must be less than
 /// kFollowed: what comes within reach is then known before it touches.
-inline constexpr double kLookAtPairAgain = 0.15;
+inline constexpr double kLookAtPairAgain = 0.11;
 
 /// Motion that a pair must still have left to sleep on when others are looked at [sums of the radii]. Larger: fewer
 /// looks, at more pairs each.
-inline constexpr double kLookEarly = 0.03;
+inline constexpr double kLookEarly = 0.05;
 
 /// Largest turn of a piece of the smooth centreline in the stress-free yarn [rad]. Elements that turn by more are cut
 /// for the contact: two pieces that hardly bend come closest in one place. Smaller: more pieces, more pairs to look at.

@@ -6,7 +6,7 @@
 
 #include "base/left_out.h"
 #include "contact/contact_points.h"
-#include "contact/element_line.h"
+#include "contact/element_load.h"
 #include "contact/friction.h"
 #include "contact/yarn_elements.h"
 
@@ -96,12 +96,6 @@ struct Strip {
   void serialize(Archive& archive) {
     archive(number, first_span, n_spans, at, other, wake, now);
   }
-};
-
-/// What a contact does to the nodes of an element.
-struct ElementLoad {
-  std::int32_t element = 0;
-  EndLoads loads{};
 };
 
 /// The strips on one piece of a yarn, with all they may touch.

@@ -15,14 +15,16 @@ namespace knitmech::contact {
 
 namespace {
 
+/// Way of a crossing along a yarn after which the strips around it are laid anew [sums of the radii]: less than the
+/// margin that its reach has (look_for_contacts.cpp), or strips and crossing would count the same.
+constexpr double kFarFromLaid = 0.15;
+
 /// Crossings, and overlaps, that one thread takes at a time [-]; the same for any number of threads, as what they come
 /// to is summed up within them first. Fewer: more even shares.
 constexpr std::size_t kCrossingsAtOnce = 32;
 constexpr std::size_t kOverlapsAtOnce = 4;
 
-constexpr std::int32_t kNone = -1;
-
-KNITMECH_INLINE PairSize size_of(const SmoothStep& step, YarnPlace first, YarnPlace second) {
+KNITMECH_INLINE PairSize size_of(const StepOfContacts& step, YarnPlace first, YarnPlace second) {
   const auto a = static_cast<std::size_t>(first.element);
   const auto b = static_cast<std::size_t>(second.element);
   const double radii = step.elements.radius[a] + step.elements.radius[b];
@@ -39,17 +41,17 @@ KNITMECH_INLINE bool too_near_along_yarn(const YarnElements& elements, YarnPlace
   return std::abs(arc_of(elements, second) - arc_of(elements, first)) < kSelfContactArc * std::numbers::pi * radii;
 }
 
-KNITMECH_INLINE double motion_of(const SmoothStep& step, YarnPlace first, YarnPlace second) {
+KNITMECH_INLINE double motion_of(const StepOfContacts& step, YarnPlace first, YarnPlace second) {
   return step.motion.of(static_cast<std::size_t>(first.element)) +
          step.motion.of(static_cast<std::size_t>(second.element));
 }
 
-LostCrossing lost_at(const SmoothStep& step, YarnPlace first, YarnPlace second) {
+LostCrossing lost_at(const StepOfContacts& step, YarnPlace first, YarnPlace second) {
   return {first.element, second.element, step.line.node_position().at(static_cast<std::size_t>(first.element))};
 }
 
 /// Friction at a contact whose normal force is known.
-FrictionStep friction_at(const SmoothStep& step, YarnPlace first, YarnPlace second, Vector3 normal, double load,
+FrictionStep friction_at(const StepOfContacts& step, YarnPlace first, YarnPlace second, Vector3 normal, double load,
                          double stiffness, SlipMemory& stick, ContactStep& done) {
   if (dot(stick.normal, normal) < 0 && !done.lost) done.lost = lost_at(step, first, second);
   const Vector3 motion = step.length * (step.line.velocity(step.state, second) - step.line.velocity(step.state, first));
@@ -68,13 +70,23 @@ void set_state(ContactState& now, double penetration, double load, double tangen
   now.stick_stiffness = stiffness;
 }
 
+/// Whether a crossing has slid far from where it was when the strips around it were laid.
+bool has_slid_far(const StepOfContacts& step, const Crossing& crossing) {
+  const double far = kFarFromLaid * (step.elements.radius[static_cast<std::size_t>(crossing.first.element)] +
+                                     step.elements.radius[static_cast<std::size_t>(crossing.second.element)]);
+  const auto slid = [&](YarnPlace now, YarnPlace laid) {
+    return std::abs(arc_of(step.elements, now) - arc_of(step.elements, laid));
+  };
+  return slid(crossing.first, crossing.laid.first) > far || slid(crossing.second, crossing.laid.second) > far;
+}
+
 /// What a contact does to the elements of both yarns.
 struct LoadPair {
   ElementLoad &first, &second;
 };
 
 /// A contact with the exact derivatives of its energy.
-void press(const SmoothStep& step, PairLoad& pair, const Followed& here, double penetration, Crossing& crossing,
+void press(const StepOfContacts& step, PairLoad& pair, const Followed& here, double penetration, Crossing& crossing,
            LoadPair loads, ContactStep& done) {
   const double stick_stiffness = kStickStiffness * step.law.stiffness;
   const Vector3 normal = (1 / length(here.at.between)) * here.at.between;
@@ -93,12 +105,12 @@ void press(const SmoothStep& step, PairLoad& pair, const Followed& here, double 
 }
 
 /// Whether a closest place lies at an end of its yarn, where it has no parabola.
-bool is_at_end(const SmoothStep& step, const Followed& here) {
+bool is_at_end(const StepOfContacts& step, const Followed& here) {
   return to_nearer_end(step.elements, here.first) <= 0 || to_nearer_end(step.elements, here.second) <= 0;
 }
 
 /// A crossing on its own, in any case that may come.
-void add_crossing(const SmoothStep& step, Crossing& crossing, LoadPair loads, ContactStep& done) {
+void add_crossing(const StepOfContacts& step, Crossing& crossing, LoadPair loads, ContactStep& done) {
   const Followed here = follow_closest(step.elements, step.line, crossing.first, crossing.second);
   crossing.first = here.first;
   crossing.second = here.second;
@@ -129,7 +141,7 @@ void add_crossing(const SmoothStep& step, Crossing& crossing, LoadPair loads, Co
 }
 
 /// Puts the element of a place into a lane. \return false if the place has left the element
-KNITMECH_INLINE bool gather(const SmoothStep& step, YarnPlace place, LaneSides& side, std::size_t lane) {
+KNITMECH_INLINE bool gather(const StepOfContacts& step, YarnPlace place, LaneSides& side, std::size_t lane) {
   const auto i = static_cast<std::size_t>(place.element);
   set_element(side, lane, step.line.element(i));
   side.start_velocity.set(lane, step.state.velocity.at(i));
@@ -142,7 +154,7 @@ KNITMECH_INLINE bool gather(const SmoothStep& step, YarnPlace place, LaneSides& 
 }
 
 /// Puts a contact into the next lane. \return false if it has to be computed on its own
-KNITMECH_INLINE bool gather(const SmoothStep& step, YarnPlace first, YarnPlace second, double stick_stiffness,
+KNITMECH_INLINE bool gather(const StepOfContacts& step, YarnPlace first, YarnPlace second, double stick_stiffness,
                             const SlipMemory& stick, ContactBatch& batch) {
   const std::size_t lane = batch.n;
   const auto a = static_cast<std::size_t>(first.element);
@@ -162,8 +174,8 @@ KNITMECH_INLINE bool gather(const SmoothStep& step, YarnPlace first, YarnPlace s
 }
 
 /// Takes the result of a regular lane over.
-KNITMECH_INLINE void take_over(const SmoothStep& step, const ContactBatch& batch, std::size_t lane, Crossing& crossing,
-                               LoadPair loads, ContactStep& done) {
+KNITMECH_INLINE void take_over(const StepOfContacts& step, const ContactBatch& batch, std::size_t lane,
+                               Crossing& crossing, LoadPair loads, ContactStep& done) {
   const auto on = [lane](std::int32_t element, const LaneSides& side) {
     return ElementLoad{
         element,
@@ -186,20 +198,6 @@ KNITMECH_INLINE void take_over(const SmoothStep& step, const ContactBatch& batch
   done.friction_loss += batch.loss[lane];
 }
 
-/// Adds what a load does to the nodes from begin to before end.
-KNITMECH_INLINE void add_within(const ElementLoad& load, std::size_t begin, std::size_t end, model::NodalLoads& loads) {
-  if (load.element == kNone) return;
-  const auto i = static_cast<std::size_t>(load.element);
-  if (i >= begin && i < end) {
-    loads.force.add(i, load.loads.start_force);
-    loads.moment.add(i, load.loads.start_moment);
-  }
-  if (i + 1 >= begin && i + 1 < end) {
-    loads.force.add(i + 1, load.loads.end_force);
-    loads.moment.add(i + 1, load.loads.end_moment);
-  }
-}
-
 }  // namespace
 
 /// Room for one thread to compute in.
@@ -216,7 +214,7 @@ SmoothForces& SmoothForces::operator=(const SmoothForces& /*other*/) {
   return *this;
 }
 
-void SmoothForces::flush(const SmoothStep& step, std::vector<Crossing>& crossings, Work& work, ContactStep& done) {
+void SmoothForces::flush(const StepOfContacts& step, std::vector<Crossing>& crossings, Work& work, ContactStep& done) {
   ContactBatch& batch = work.batch;
   if (batch.n == 0) return;
   evaluate_crossings(batch, step.length);
@@ -232,11 +230,11 @@ void SmoothForces::flush(const SmoothStep& step, std::vector<Crossing>& crossing
   batch.n = 0;
 }
 
-void SmoothForces::evaluate(const SmoothStep& step, std::vector<Crossing>& crossings, std::size_t begin,
+void SmoothForces::evaluate(const StepOfContacts& step, std::vector<Crossing>& crossings, std::size_t begin,
                             std::size_t end, Work& work, ContactStep& done) {
   const double stick = kStickStiffness * step.law.stiffness;
   for (std::size_t i = begin; i < end; ++i) {
-    on_crossings_[2 * i].element = on_crossings_[2 * i + 1].element = kNone;
+    on_crossings_[2 * i].element = on_crossings_[2 * i + 1].element = ElementLoad::kNone;
     Crossing& crossing = crossings[i];
     if (!crossing.is_short || motion_of(step, crossing.first, crossing.second) < crossing.wake) continue;
     work.waiting[work.batch.n] = i;
@@ -249,10 +247,11 @@ void SmoothForces::evaluate(const SmoothStep& step, std::vector<Crossing>& cross
   flush(step, crossings, work, done);
   for (std::size_t i = begin; i < end; ++i) {
     done.largest_penetration = std::max(done.largest_penetration, crossings[i].now.penetration);
+    if (crossings[i].is_short && has_slid_far(step, crossings[i])) done.asks_for_look = true;
   }
 }
 
-ContactStep SmoothForces::add(const SmoothStep& step, const ContactElements& pieces, const base::ThreadTeam& team,
+ContactStep SmoothForces::add(const StepOfContacts& step, const ContactElements& pieces, const base::ThreadTeam& team,
                               FollowedContacts& contacts, model::NodalLoads& loads) {
   const std::size_t n_crossings = contacts.crossings.size();
   const std::size_t n_overlaps = contacts.overlaps.size();

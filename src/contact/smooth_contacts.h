@@ -4,8 +4,8 @@
 
 #include "base/thread_team.h"
 #include "contact/contact_elements.h"
+#include "contact/contact_step.h"
 #include "contact/followed_contacts.h"
-#include "contact/smooth_law.h"
 #include "model/state.h"
 
 namespace knitmech::contact {
@@ -20,14 +20,14 @@ class SmoothForces {
 
   /// Brings the followed places up to date with the centreline and adds their normal and friction forces to the nodes.
   /// The same to the last bit for any number of threads.
-  ContactStep add(const SmoothStep& step, const ContactElements& pieces, const base::ThreadTeam& team,
+  ContactStep add(const StepOfContacts& step, const ContactElements& pieces, const base::ThreadTeam& team,
                   FollowedContacts& contacts, model::NodalLoads& loads);
 
  private:
   struct Work;
-  void evaluate(const SmoothStep& step, std::vector<Crossing>& crossings, std::size_t begin, std::size_t end,
+  void evaluate(const StepOfContacts& step, std::vector<Crossing>& crossings, std::size_t begin, std::size_t end,
                 Work& work, ContactStep& done);
-  void flush(const SmoothStep& step, std::vector<Crossing>& crossings, Work& work, ContactStep& done);
+  void flush(const StepOfContacts& step, std::vector<Crossing>& crossings, Work& work, ContactStep& done);
 
   std::vector<ElementLoad> on_crossings_;  ///< of this step, two for each
   std::vector<ContactStep> done_;          ///< by the shares of the threads

@@ -13,7 +13,7 @@ namespace {
 constexpr double kRiseBetweenPoints = 1.0 / 16;
 
 /// Of n parts of a piece [mm], along the stress-free yarn.
-double part_length(const SmoothStep& step, const ContactElements& pieces, CutPiece cut) {
+double part_length(const StepOfContacts& step, const ContactElements& pieces, CutPiece cut) {
   return step.elements.length[static_cast<std::size_t>(pieces.element_of(cut.piece))] /
          (pieces.pieces_per_element * cut.n);
 }
@@ -25,7 +25,7 @@ PlaceRow row_of(const ContactElements& pieces, CutPiece cut, double first, doubl
 }
 
 /// Of the elements that an overlap has to do with, summed up: no two points of it have come nearer by more.
-double motion_of(const SmoothStep& step, const ContactElements& pieces, const Overlap& overlap) {
+double motion_of(const StepOfContacts& step, const ContactElements& pieces, const Overlap& overlap) {
   double sum = step.motion.of(static_cast<std::size_t>(pieces.element_of(overlap.strips.piece)));
   for (const CellRow& row : overlap.rows) {
     sum += step.motion.of(static_cast<std::size_t>(pieces.element_of(row.cells.piece)));
@@ -33,7 +33,7 @@ double motion_of(const SmoothStep& step, const ContactElements& pieces, const Ov
   return sum;
 }
 
-double radii_of(const SmoothStep& step, const Strip& strip) {
+double radii_of(const StepOfContacts& step, const Strip& strip) {
   return step.elements.radius[static_cast<std::size_t>(strip.at.element)] +
          step.elements.radius[static_cast<std::size_t>(strip.other.element)];
 }
@@ -57,7 +57,7 @@ void OverlapWork::find_awake(const Overlap& overlap, double moved) {
   }
 }
 
-void OverlapWork::place(const SmoothStep& step, const ContactElements& pieces, const Overlap& overlap) {
+void OverlapWork::place(const StepOfContacts& step, const ContactElements& pieces, const Overlap& overlap) {
   middles_.clear();
   points_.clear();
   const auto first = overlap.laid[awake_.front().strip].number;
@@ -75,7 +75,7 @@ void OverlapWork::place(const SmoothStep& step, const ContactElements& pieces, c
   }
 }
 
-void OverlapWork::find_pressed_cells(const SmoothStep& step, const ContactElements& pieces, const Overlap& overlap,
+void OverlapWork::find_pressed_cells(const StepOfContacts& step, const ContactElements& pieces, const Overlap& overlap,
                                      AwakeStrip& awake) {
   const Strip& strip = overlap.laid[awake.strip];
   const double radii = radii_of(step, strip);
@@ -119,8 +119,8 @@ OverlapWork::PointRange OverlapWork::weigh(const AwakeStrip& awake) {
   return range;
 }
 
-void OverlapWork::press(const SmoothStep& step, const ContactElements& pieces, const AwakeStrip& awake, double moved,
-                        Overlap& overlap, ContactStep& done) {
+void OverlapWork::press(const StepOfContacts& step, const ContactElements& pieces, const AwakeStrip& awake,
+                        double moved, Overlap& overlap, ContactStep& done) {
   Strip& strip = overlap.laid[awake.strip];
   const double radii = radii_of(step, strip);
   const auto middle = static_cast<std::size_t>(strip.number) - first_middle_;
@@ -173,7 +173,7 @@ void OverlapWork::press(const SmoothStep& step, const ContactElements& pieces, c
   done.largest_penetration = std::max(done.largest_penetration, strip.now.penetration);
 }
 
-void OverlapWork::give_loads(const SmoothStep& step, const ContactElements& pieces, Overlap& overlap) const {
+void OverlapWork::give_loads(const StepOfContacts& step, const ContactElements& pieces, Overlap& overlap) const {
   const auto give = [&](std::int32_t piece, const PlacedPoints& points, std::size_t first, std::size_t n) {
     const std::int32_t element = pieces.element_of(piece);
     overlap.loads.push_back({element, points.to_nodes(step.line.element(static_cast<std::size_t>(element)), first, n)});
@@ -184,7 +184,8 @@ void OverlapWork::give_loads(const SmoothStep& step, const ContactElements& piec
   }
 }
 
-void OverlapWork::evaluate(const SmoothStep& step, const ContactElements& pieces, Overlap& overlap, ContactStep& done) {
+void OverlapWork::evaluate(const StepOfContacts& step, const ContactElements& pieces, Overlap& overlap,
+                           ContactStep& done) {
   overlap.loads.clear();
   const double moved = motion_of(step, pieces, overlap);
   find_awake(overlap, moved);

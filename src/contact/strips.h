@@ -5,9 +5,9 @@
 
 #include "contact/cell_batch.h"
 #include "contact/contact_elements.h"
+#include "contact/contact_step.h"
 #include "contact/overlap.h"
 #include "contact/placed_points.h"
-#include "contact/smooth_law.h"
 
 namespace knitmech::contact {
 
@@ -27,7 +27,7 @@ class OverlapWork {
   /// could jump or vanish where a yarn winds round another so tightly that all its places are equally near, and the
   /// forces are exact derivatives.
   /// \param done what it comes to is added
-  void evaluate(const SmoothStep& step, const ContactElements& pieces, Overlap& overlap, ContactStep& done);
+  void evaluate(const StepOfContacts& step, const ContactElements& pieces, Overlap& overlap, ContactStep& done);
 
  private:
   /// A strip that is awake, and its cells on which the depth is above 0.
@@ -48,13 +48,13 @@ class OverlapWork {
   };
 
   void find_awake(const Overlap& overlap, double moved);
-  void place(const SmoothStep& step, const ContactElements& pieces, const Overlap& overlap);
-  void find_pressed_cells(const SmoothStep& step, const ContactElements& pieces, const Overlap& overlap,
+  void place(const StepOfContacts& step, const ContactElements& pieces, const Overlap& overlap);
+  void find_pressed_cells(const StepOfContacts& step, const ContactElements& pieces, const Overlap& overlap,
                           AwakeStrip& awake);
   [[nodiscard]] PointRange weigh(const AwakeStrip& awake);
-  void press(const SmoothStep& step, const ContactElements& pieces, const AwakeStrip& awake, double moved,
+  void press(const StepOfContacts& step, const ContactElements& pieces, const AwakeStrip& awake, double moved,
              Overlap& overlap, ContactStep& done);
-  void give_loads(const SmoothStep& step, const ContactElements& pieces, Overlap& overlap) const;
+  void give_loads(const StepOfContacts& step, const ContactElements& pieces, Overlap& overlap) const;
 
   std::vector<AwakeStrip> awake_;
   PlacedPoints middles_, points_;  ///< of the strips; of the cells

@@ -11,23 +11,6 @@
 
 namespace knitmech::contact {
 
-namespace {
-
-/// Velocity of the material at a place of a chord [mm/s].
-Vector3 chord_velocity(const model::State& state, YarnPlace place) {
-  const auto i = static_cast<std::size_t>(place.element);
-  return (1 - place.share) * state.velocity.at(i) + place.share * state.velocity.at(i + 1);
-}
-
-/// Gives a force at a place of a chord to its nodes.
-void spread_on_chord(YarnPlace place, Vector3 force, model::NodalLoads& loads) {
-  const auto i = static_cast<std::size_t>(place.element);
-  loads.force.add(i, (1 - place.share) * force);
-  loads.force.add(i + 1, place.share * force);
-}
-
-}  // namespace
-
 YarnContact::YarnContact(const model::Model& model)
     : elements_(make_yarn_elements(model)),
       pieces_(make_contact_elements(model)),
@@ -96,39 +79,12 @@ void YarnContact::add_forces(const model::State& state, double step, model::Noda
     if (motion_.largest_since_check() >= kCheckCrossings * 2 * pieces_.largest_radius) check_crossings();
     look();
   }
-  if (centreline_.is_smooth()) {
-    const ContactStep done = smooth_forces_.add({elements_, centreline_, law_, motion_, state, step, density_factor()},
-                                                pieces_, team, followed_, loads);
-    if (!lost_) lost_ = done.lost;
-    friction_loss_ += done.friction_loss;
-    largest_penetration_ = done.largest_penetration;
-  } else {
-    find_on_chords(state, step, loads);
-  }
-}
-
-void YarnContact::find_on_chords(const model::State& state, double step, model::NodalLoads& loads) {
-  std::swap(chords_, chords_before_);
-  find_chord_contacts(elements_, motion_, centreline_.node_position(), law_.stiffness, near_, chords_);
-  recall(chords_before_, chords_);
-  largest_penetration_ = 0;
-  for (ChordContact& contact : chords_) {
-    ContactPoint& point = contact.point;
-    if (dot(point.stick.normal, point.normal) < 0 && !lost_) {
-      lost_ = LostCrossing{point.first.element, point.second.element,
-                           centreline_.node_position().at(static_cast<std::size_t>(point.first.element))};
-    }
-    const Vector3 motion = step * (chord_velocity(state, point.second) - chord_velocity(state, point.first));
-    const double friction = law_.friction.between(elements_.section[static_cast<std::size_t>(point.first.element)],
-                                                  elements_.section[static_cast<std::size_t>(point.second.element)]);
-    const FrictionStep stick =
-        friction_step(point.stick, point.normal, motion, friction * point.load, point.stick_stiffness);
-    friction_loss_ += stick.loss;
-    const Vector3 force = point.load * point.normal + stick.force;
-    spread_on_chord(point.second, force, loads);
-    spread_on_chord(point.first, -1.0 * force, loads);
-    largest_penetration_ = std::max(largest_penetration_, point.penetration);
-  }
+  const StepOfContacts now{elements_, centreline_, law_, motion_, state, step, density_factor()};
+  const ContactStep done = centreline_.is_smooth() ? smooth_forces_.add(now, pieces_, team, followed_, loads)
+                                                   : chord_forces_.add(now, team, near_, loads);
+  friction_loss_ += done.friction_loss;
+  largest_penetration_ = done.largest_penetration;
+  if (!lost_) lost_ = done.lost;
 }
 
 double YarnContact::energy() const {
@@ -140,7 +96,7 @@ double YarnContact::energy() const {
 std::vector<ContactPoint> YarnContact::points() const {
   if (centreline_.is_smooth()) return contact_points(followed_);
   std::vector<ContactPoint> points;
-  for (const ChordContact& contact : chords_) points.push_back(contact.point);
+  for (const ChordContact& contact : chord_forces_.contacts()) points.push_back(contact.point);
   return points;
 }
 

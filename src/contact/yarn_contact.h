@@ -59,21 +59,20 @@ class YarnContact {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(base::left_out(elements_, pieces_, law_, skin_, smooth_forces_, chords_before_), centreline_,
-            common_motion_, motion_, watch_, followed_, near_, chords_, friction_loss_, largest_penetration_, lost_,
-            crossing_watch_, ravelled_, searches_, crossing_checks_);
+    archive(base::left_out(elements_, pieces_, law_, skin_, smooth_forces_), centreline_, common_motion_, motion_,
+            watch_, followed_, near_, chord_forces_, friction_loss_, largest_penetration_, lost_, crossing_watch_,
+            ravelled_, searches_, crossing_checks_);
   }
 
  private:
   void search(const model::State& state);
   [[nodiscard]] std::vector<ElementPair> search_all(const std::vector<char>& is_due) const;
   void look();
-  void find_on_chords(const model::State& state, double step, model::NodalLoads& loads);
 
   YarnElements elements_;
   ContactElements pieces_;
   Centreline centreline_;
-  SmoothLaw law_;
+  ContactLaw law_;
   double skin_ = 0;  ///< [mm]
   CommonMotion common_motion_;
   Motion motion_;
@@ -81,7 +80,7 @@ class YarnContact {
   FollowedContacts followed_;
   SmoothForces smooth_forces_;
   std::vector<NearChords> near_;
-  std::vector<ChordContact> chords_, chords_before_;
+  ChordForces chord_forces_;
   double friction_loss_ = 0;
   double largest_penetration_ = 0;  ///< [mm]
   std::optional<LostCrossing> lost_;

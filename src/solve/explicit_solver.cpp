@@ -99,7 +99,7 @@ void ExplicitSolver::step() {
   if (pull_.has_to_look(steps_)) pull_.look(internal_energy(), kinetic_energy(), state_);
   const double speed = pull_.advance(step_, state_, loads_);
   ties_.apply(contact_.centreline(), inertia_, step_, settings_.mass_damping, state_, loads_);
-  grips_.apply(inertia_, masses_, step_, settings_.mass_damping, state_, speed, loads_);
+  grips_.apply(inertia_, masses_, step_, settings_.mass_damping, state_, speed, loads_, team_);
   const double h = step_.mean();
   impulse_top_ += h * grips_.force_top();
   impulse_bottom_ += h * grips_.force_bottom();

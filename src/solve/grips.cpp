@@ -17,7 +17,7 @@ Grips::Grips(const model::Model& model)
       driven_(model.node_sets.at(model.test.driven_set)) {}
 
 void Grips::apply(const beam::NodalInertia& inertia, const SelectiveMass& masses, StepLengths step, double mass_damping,
-                  const model::State& state, double speed, model::NodalLoads& loads) {
+                  const model::State& state, double speed, model::NodalLoads& loads, const base::ThreadTeam& team) {
   const double h = step.mean();
   const double damping = 0.5 * mass_damping * h;
   const auto hold = [&](std::size_t i, std::vector<double>& load, const std::vector<double>& velocity,
@@ -48,7 +48,7 @@ void Grips::apply(const beam::NodalInertia& inertia, const SelectiveMass& masses
     }
     hold_rotation(i);
   }
-  masses.share(loads);
+  masses.share(loads, team);
   add_up(masses, h, state, speed, loads);
 }
 

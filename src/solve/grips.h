@@ -21,7 +21,8 @@ class Grips {
   /// and all forces by what is left of them where masses are shared: see SelectiveMass::share().
   /// \param speed of the driven grip over the step after [mm/s]
   void apply(const beam::NodalInertia& inertia, const SelectiveMass& masses, StepLengths step, double mass_damping,
-             const model::State& state, double speed, model::NodalLoads& loads);
+             const model::State& state, double speed, model::NodalLoads& loads,
+             const base::ThreadTeam& team = base::ThreadTeam(1));
 
   /// Sets the loads in all held and driven directions to zero.
   void clear_loads(model::NodalLoads& loads) const;

@@ -1,5 +1,8 @@
 #include "solve/selective_mass.h"
 
+#include <algorithm>
+#include <array>
+
 namespace knitmech::solve {
 
 namespace {
@@ -27,37 +30,55 @@ std::vector<double> felt_masses(const beam::NodalInertia& inertia) {
   return felt;
 }
 
-/// y_i = F_i + forward_(i-1) y_(i-1) in three directions. They are independent chains of operations, of which a
-/// processor works on several at a time; each hands its last value on in a register.
-void eliminate(const double* across, const double* along, double* __restrict x, double* __restrict y,
-               double* __restrict z, std::size_t first, std::size_t last) {
-  double before_x = x[first];
-  double before_y = y[first];
-  double before_z = z[first];
-  for (std::size_t i = first + 1; i < last; ++i) {
-    x[i] = before_x = x[i] + across[i - 1] * before_x;
-    y[i] = before_y = y[i] + along[i - 1] * before_y;
-    z[i] = before_z = z[i] + across[i - 1] * before_z;
+/// Chains that are worked on in turns [-]: what follows from node to node within one has to be waited for, that of
+/// others has not.
+constexpr std::size_t kChainsAtOnce = 4;
+
+struct FactorView {
+  const double *forward, *backward, *inverse_pivot;
+};
+
+struct ForceView {
+  double* __restrict x;
+  double* __restrict y;
+  double* __restrict z;
+};
+
+/// y_i = F_i + forward_(i-1) y_(i-1) in three directions, of k chains with n nodes.
+template <std::size_t k>
+void eliminate(const std::array<std::size_t, k>& first, std::size_t n, const FactorView across, const FactorView along,
+               const ForceView f) {
+  std::array<double, k> x{}, y{}, z{};
+  for (std::size_t c = 0; c < k; ++c) {
+    x[c] = f.x[first[c]];
+    y[c] = f.y[first[c]];
+    z[c] = f.z[first[c]];
+  }
+  for (std::size_t i = 1; i < n; ++i) {
+    for (std::size_t c = 0; c < k; ++c) {
+      const std::size_t at = first[c] + i;
+      f.x[at] = x[c] = f.x[at] + across.forward[at - 1] * x[c];
+      f.y[at] = y[c] = f.y[at] + along.forward[at - 1] * y[c];
+      f.z[at] = z[c] = f.z[at] + across.forward[at - 1] * z[c];
+    }
   }
 }
 
-struct BackwardView {
-  const double *backward, *inverse_pivot;
-};
-
 /// a_i = y_i / pivot_i + backward_i a_(i+1), and the values become m a.
-void substitute(const BackwardView across, const BackwardView along, const double* mass, double* __restrict x,
-                double* __restrict y, double* __restrict z, std::size_t first, std::size_t last) {
-  double behind_x = 0;
-  double behind_y = 0;
-  double behind_z = 0;
-  for (std::size_t i = last; i-- > first;) {
-    behind_x = x[i] * across.inverse_pivot[i] + across.backward[i] * behind_x;
-    behind_y = y[i] * along.inverse_pivot[i] + along.backward[i] * behind_y;
-    behind_z = z[i] * across.inverse_pivot[i] + across.backward[i] * behind_z;
-    x[i] = mass[i] * behind_x;
-    y[i] = mass[i] * behind_y;
-    z[i] = mass[i] * behind_z;
+template <std::size_t k>
+void substitute(const std::array<std::size_t, k>& first, std::size_t n, const FactorView across, const FactorView along,
+                const double* mass, const ForceView f) {
+  std::array<double, k> x{}, y{}, z{};
+  for (std::size_t i = n; i-- > 0;) {
+    for (std::size_t c = 0; c < k; ++c) {
+      const std::size_t at = first[c] + i;
+      x[c] = f.x[at] * across.inverse_pivot[at] + across.backward[at] * x[c];
+      y[c] = f.y[at] * along.inverse_pivot[at] + along.backward[at] * y[c];
+      z[c] = f.z[at] * across.inverse_pivot[at] + across.backward[at] * z[c];
+      f.x[at] = mass[at] * x[c];
+      f.y[at] = mass[at] * y[c];
+      f.z[at] = mass[at] * z[c];
+    }
   }
 }
 
@@ -109,16 +130,47 @@ SelectiveMass::SelectiveMass(const beam::NodalInertia& inertia, const GivenMotio
     : mass_(inertia.mass),
       relative_(inertia.relative_mass),
       felt_(felt_masses(inertia)),
+      chains_(chains_of(inertia.relative_mass)),
       along_(inertia, given.along),
       across_(inertia, given.across),
       free_(inertia, std::vector<char>(inertia.mass.size())) {}
 
-void SelectiveMass::share(model::NodalLoads& loads, std::size_t first, std::size_t last) const {
-  if (relative_.empty()) return;
-  model::VectorArray& f = loads.force;
-  eliminate(across_.forward.data(), along_.forward.data(), f.x.data(), f.y.data(), f.z.data(), first, last);
-  const auto view = [](const Factors& of) { return BackwardView{of.backward.data(), of.inverse_pivot.data()}; };
-  substitute(view(across_), view(along_), mass_.data(), f.x.data(), f.y.data(), f.z.data(), first, last);
+std::vector<SelectiveMass::Chain> SelectiveMass::chains_of(const std::vector<double>& relative_mass) {
+  std::vector<Chain> chains;
+  for (std::size_t i = 0; i < relative_mass.size(); ++i) {
+    if (relative_mass[i] == 0) continue;
+    if (i == 0 || relative_mass[i - 1] == 0) chains.push_back({i, 1});
+    ++chains.back().n;
+  }
+  return chains;
+}
+
+template <std::size_t k>
+void SelectiveMass::share_in(const Chain* chains, model::NodalLoads& loads) const {
+  std::array<std::size_t, k> first{};
+  for (std::size_t c = 0; c < k; ++c) first[c] = chains[c].first;
+  const auto view = [](const Factors& of) {
+    return FactorView{of.forward.data(), of.backward.data(), of.inverse_pivot.data()};
+  };
+  const ForceView forces{loads.force.x.data(), loads.force.y.data(), loads.force.z.data()};
+  eliminate(first, chains[0].n, view(across_), view(along_), forces);
+  substitute(first, chains[0].n, view(across_), view(along_), mass_.data(), forces);
+}
+
+void SelectiveMass::share(model::NodalLoads& loads, const base::ThreadTeam& team) const {
+  team.for_ranges(chains_.size(), kChainsAtOnce, [&](std::size_t begin, std::size_t end) {
+    while (begin < end) {
+      const Chain* const chains = &chains_[begin];
+      const auto is_alike = [&](const Chain& chain) { return chain.n == chains->n; };
+      if (begin + kChainsAtOnce <= end && std::all_of(chains, chains + kChainsAtOnce, is_alike)) {
+        share_in<kChainsAtOnce>(chains, loads);
+        begin += kChainsAtOnce;
+      } else {
+        share_in<1>(chains, loads);
+        ++begin;
+      }
+    }
+  });
 }
 
 double SelectiveMass::from_neighbours(std::size_t node, const std::vector<double>& accelerating) const {

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "base/thread_team.h"
 #include "beam/nodal_inertia.h"
 #include "model/model.h"
 #include "model/state.h"
@@ -29,9 +30,7 @@ class SelectiveMass {
 
   /// Replaces the forces F on the nodes by m a, a the accelerations that they give: M a = F where the motion is free;
   /// where it is given, F is m a already. Does nothing without relative mass.
-  void share(model::NodalLoads& loads) const { share(loads, 0, mass_.size()); }
-  /// The same for the nodes of whole yarns, from first to before last.
-  void share(model::NodalLoads& loads, std::size_t first, std::size_t last) const;
+  void share(model::NodalLoads& loads, const base::ThreadTeam& team = base::ThreadTeam(1)) const;
 
   /// (M a) - m a at a node, for the accelerations a of a direction given as m a [N].
   [[nodiscard]] double from_neighbours(std::size_t node, const std::vector<double>& accelerating) const;
@@ -53,7 +52,16 @@ class SelectiveMass {
     void solve(double* values, std::size_t n) const;
   };
 
+  /// Nodes that relative masses hold together.
+  struct Chain {
+    std::size_t first, n;
+  };
+  [[nodiscard]] static std::vector<Chain> chains_of(const std::vector<double>& relative_mass);
+  template <std::size_t k>
+  void share_in(const Chain* chains, model::NodalLoads& loads) const;
+
   std::vector<double> mass_, relative_, felt_;
+  std::vector<Chain> chains_;
   Factors along_, across_, free_;
 };
 

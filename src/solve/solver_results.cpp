@@ -30,7 +30,7 @@ double ExplicitSolver::kinetic_energy() const {
   model::NodalLoads free_loads = loads_;
   ties_.add_last_forces(free_loads);
   grips_.clear_loads(free_loads);  // what the fabric does to a grip does not accelerate it
-  masses_.share(free_loads);
+  masses_.share(free_loads, team_);
   return solve::kinetic_energy(inertia_, free_loads, step_, state_, team_);
 }
 

@@ -15,15 +15,17 @@
 namespace knitmech {
 namespace {
 
-constexpr std::size_t kNodes = 12;
+constexpr std::size_t kNodes = 23;
 
-/// Two yarns, of seven and five nodes, with any masses.
+/// Yarns of five nodes each, the last of three, with any masses.
 beam::NodalInertia random_inertia(std::mt19937& random) {
+  constexpr std::size_t chain = 5;
   std::uniform_real_distribution<double> mass(1, 3), relative(0, 20);
   beam::NodalInertia inertia;
   for (std::size_t i = 0; i < kNodes; ++i) {
     inertia.mass.push_back(mass(random));
-    inertia.relative_mass.push_back(i == 6 || i == kNodes - 1 ? 0 : relative(random));
+    const bool ends = i % chain == chain - 1 || i == kNodes - 1;
+    inertia.relative_mass.push_back(ends ? 0 : relative(random));
   }
   return inertia;
 }
@@ -78,9 +80,8 @@ TEST(SelectiveMass, GivenForcesAndGivenMotions_ThenTheAccelerationsAreThoseOfADe
     const solve::SelectiveMass masses(inertia, given);
     if (trial % 2 == 0) {
       masses.share(loads);
-    } else {  // yarn by yarn
-      masses.share(loads, 7, kNodes);
-      masses.share(loads, 0, 7);
+    } else {
+      masses.share(loads, base::ThreadTeam(3));
     }
     for (int direction = 0; direction < 3; ++direction) {
       const Eigen::VectorXd motion = force.col(direction).cwiseQuotient(mass.rowwise().sum());  // F = m a is given

@@ -11,17 +11,17 @@
 
 namespace knitmech::contact {
 
-/// What contact on the smooth centreline needs to know besides the yarns.
-struct SmoothLaw {
+/// What contact needs to know besides the yarns.
+struct ContactLaw {
   double stiffness = 0;  ///< K of a crossing [N/mm]
   FrictionTable friction;
 };
 
-/// Everything that a step of contacts on the smooth centreline works with.
-struct SmoothStep {
+/// Everything that a step of contacts works with.
+struct StepOfContacts {
   const YarnElements& elements;
   const Centreline& line;
-  const SmoothLaw& law;
+  const ContactLaw& law;
   const Motion& motion;
   const model::State& state;
   double length;          ///< [s] since the step before; velocities times length are the motion since then
