@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <utility>
 
 #include "app/commands.h"
@@ -44,14 +45,17 @@ model::RunOutcome simulate_into(results::RunFolder& folder, RunPictures& picture
     folder.add_history(row);
     progress.update(row);
   };
-  callbacks.on_frame = [&](const model::Frame& frame) {
-    folder.add_frame(frame);
+  callbacks.on_frame = [&](model::Frame frame) {
     pictures.add_frame(frame);
+    folder.add_frame(std::move(frame));
   };
   callbacks.keep_going = [](const model::HistoryRow&) { return !InterruptWatch::requested(); };
   callbacks.wants_checkpoint = [&] { return writer.is_due(); };
   callbacks.on_checkpoint = [&](const std::string& solver) {
-    writer.write({start.case_text, folder.record(), solver}, pictures.take_drawing());
+    writer.write({start.case_text, folder.record(), solver}, [&folder, draw = pictures.take_drawing()] {
+      folder.wait_for_frames();
+      draw();
+    });
   };
   std::string checkpoint = start.checkpoint ? std::exchange(start.checkpoint->solver, {}) : "";
   model::RunOutcome outcome = solve::simulate(start.loaded.model, settings, callbacks, std::move(checkpoint));

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -15,6 +16,10 @@ namespace knitmech::app {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// Elements in all pictures of a run together [-]; a picture of a million takes some five seconds and 56 MB until it is
+/// drawn.
+constexpr std::size_t kMostDrawnElements = 4'000'000;
 
 constexpr const char* kCurveFile = "force-strain.svg";
 
@@ -42,7 +47,18 @@ RunPictures::RunPictures(results::RunFolder& folder, const model::Model& model, 
 }
 
 void RunPictures::add_frame(const model::Frame& frame) {
-  if (wanted_) frames_.push_back(frame);
+  if (!wanted_) return;
+  model::Frame drawn;
+  drawn.index = frame.index;
+  drawn.history = frame.history;
+  drawn.points = frame.points;
+  drawn.rotations = frame.rotations;
+  drawn.broken = frame.broken;
+  frames_.push_back(std::move(drawn));
+  if (frames_.size() > std::max<std::size_t>(1, kMostDrawnElements / model_.nodes.size())) {
+    frames_.pop_front();
+    ++n_dropped_;
+  }
 }
 
 void RunPictures::draw(const model::Frame& frame) {
@@ -59,10 +75,13 @@ void RunPictures::draw(const model::Frame& frame) {
 void RunPictures::finish(const std::vector<model::HistoryRow>& history) {
   if (!wanted_) return;
   picture::write_force_strain_chart(folder_ / kCurveFile, history, model_.title);
+  if (n_dropped_ > 0) {
+    run_.log(fmt::format("No pictures of {} frames: the fabric is large. frames/ holds them all.", n_dropped_));
+  }
   draw(frames_);
 }
 
-void RunPictures::draw(const std::vector<model::Frame>& frames) {
+void RunPictures::draw(const std::deque<model::Frame>& frames) {
   for (const model::Frame& frame : frames) draw(frame);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <deque>
 #include <filesystem>
 #include <functional>
 #include <vector>
@@ -18,7 +19,9 @@ class RunPictures {
   /// @throws FileError if the folder cannot be written
   RunPictures(results::RunFolder& folder, const model::Model& model, bool wanted);
 
-  /// Keeps a frame; pictures take longer than many steps, so they are drawn when the simulation is over.
+  /// Keeps what is to be drawn of a frame; pictures take longer than many steps, so they are drawn beside the
+  /// run with its checkpoints, or when the simulation is over. Of a large fabric only the latest frames are kept until
+  /// then: as many as have kMostDrawnElements elements together, but at least one.
   void add_frame(const model::Frame& frame);
 
   /// The drawing of all frames kept so far, to be done on any thread, but not after this object or during finish().
@@ -30,14 +33,15 @@ class RunPictures {
   void finish(const std::vector<model::HistoryRow>& history);
 
  private:
-  void draw(const std::vector<model::Frame>& frames);
+  void draw(const std::deque<model::Frame>& frames);
   void draw(const model::Frame& frame);
 
   results::RunFolder& run_;
   const model::Model& model_;
   bool wanted_;
   std::filesystem::path folder_;
-  std::vector<model::Frame> frames_;
+  std::deque<model::Frame> frames_;
+  int n_dropped_ = 0;
 };
 
 }  // namespace knitmech::app

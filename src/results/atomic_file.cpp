@@ -8,6 +8,7 @@
 #include <memory>
 #include <string>
 #include <system_error>
+#include <utility>
 
 #include "base/errors.h"
 
@@ -23,46 +24,54 @@ using File = std::unique_ptr<std::FILE, CloseFile>;
   return FileError{fmt::format("{} \"{}\": {}.", what, path.string(), std::generic_category().message(code))};
 }
 
-/// Writes and closes; returns 0 or the error number of the first call that failed. A full disk often shows only when
-/// the buffer is flushed, so flushing and closing count as well.
-int write_and_close(File file, std::initializer_list<std::string_view> parts) {
-  errno = 0;
-  for (const std::string_view part : parts) {
-    if (std::fwrite(part.data(), 1, part.size(), file.get()) != part.size()) {
-      return errno != 0 ? errno : EIO;
-    }
-  }
-  if (std::fflush(file.get()) != 0) {
-    return errno;
-  }
-  return std::fclose(file.release()) == 0 ? 0 : errno;
+}  // namespace
+
+void AtomicFile::Close::operator()(std::FILE* file) const {
+  static_cast<void>(std::fclose(file));
 }
 
-}  // namespace
+AtomicFile::AtomicFile(std::filesystem::path path) : path_(std::move(path)), partial_(path_) {
+  partial_ += kPartialSuffix;
+  file_.reset(std::fopen(partial_.c_str(), "wb"));
+  if (file_ == nullptr) throw file_error("Cannot write", path_, errno);
+}
+
+AtomicFile::~AtomicFile() {
+  if (file_ == nullptr) return;
+  file_.reset();
+  std::error_code ignored;
+  std::filesystem::remove(partial_, ignored);
+}
+
+void AtomicFile::fail(int code) {
+  file_.reset();
+  std::error_code ignored;
+  std::filesystem::remove(partial_, ignored);
+  throw file_error("Cannot write", path_, code);
+}
+
+void AtomicFile::write(std::string_view piece) {
+  errno = 0;
+  if (std::fwrite(piece.data(), 1, piece.size(), file_.get()) != piece.size()) fail(errno != 0 ? errno : EIO);
+}
+
+/// A full disk often shows only when the buffer is flushed, so flushing and closing count as well.
+void AtomicFile::finish() {
+  if (std::fflush(file_.get()) != 0) fail(errno);
+  if (std::fclose(file_.release()) != 0) fail(errno);
+  std::error_code failed;
+  std::filesystem::rename(partial_, path_, failed);
+  if (failed) fail(failed.value());
+}
 
 void write_file_atomically(const std::filesystem::path& path, std::string_view content) {
   write_file_atomically(path, {content});
 }
 
 void write_file_atomically(const std::filesystem::path& path, std::initializer_list<std::string_view> parts) {
-  std::filesystem::path partial = path;
-  partial += kPartialSuffix;
-  File file{std::fopen(partial.c_str(), "wb")};
-  if (file == nullptr) {
-    throw file_error("Cannot write", path, errno);
-  }
-  const int code = write_and_close(std::move(file), parts);
-  std::error_code ignored;
-  if (code != 0) {
-    std::filesystem::remove(partial, ignored);
-    throw file_error("Cannot write", path, code);
-  }
-  std::error_code failed;
-  std::filesystem::rename(partial, path, failed);
-  if (failed) {
-    std::filesystem::remove(partial, ignored);
-    throw file_error("Cannot write", path, failed.value());
-  }
+  AtomicFile file(path);
+  for (const std::string_view part : parts) file.write(part);
+  file.finish();
 }
 
 std::string read_file(const std::filesystem::path& path) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+
 namespace knitmech::results {
 
 /// Limits below which a tensile test counts as quasi-static. A smaller value makes the verdict stricter and changes no
@@ -29,5 +31,9 @@ inline constexpr double kStraightLeg = 1e-6;
 
 /// Real time between two rewrites of history.csv [s]; usual 1. A killed run loses at most the rows of this time.
 inline constexpr double kHistoryRewriteInterval = 1.0;
+
+/// Frames that are written beside the run at most, the one that is being written included [-]; usual 2. More bridge a
+/// longer pause of the disk, at the memory of a frame each, about 200 bytes a node.
+inline constexpr std::size_t kMostPendingWrites = 2;
 
 }  // namespace knitmech::results

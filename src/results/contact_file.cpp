@@ -70,32 +70,31 @@ auto column(const Frame& frame, ValueOf value_of) {
 }
 
 /// Where the contact is on one of its two yarns, called "first" or "second".
-std::string place_arrays(const Model& model, const Frame& frame, const std::string& which, int ContactRecord::*yarn,
-                         double ContactRecord::*place) {
+void add_place_arrays(const Model& model, const Frame& frame, const std::string& which, int ContactRecord::*yarn,
+                      double ContactRecord::*place, const TextSink& add) {
   const auto course = [&](const ContactRecord& contact) -> std::int32_t {
     return course_of(model, contact.*yarn, contact.*place);
   };
-  return vtk_array(which + "_yarn", column(frame, yarn)) + vtk_array(which + "_course", column(frame, course)) +
-         vtk_array(which + "_place_mm", column(frame, place));
+  add(vtk_array(which + "_yarn", column(frame, yarn)));
+  add(vtk_array(which + "_course", column(frame, course)));
+  add(vtk_array(which + "_place_mm", column(frame, place)));
 }
 
-std::string point_arrays(const Model& model, const Frame& frame) {
+void add_point_arrays(const Model& model, const Frame& frame, const TextSink& add) {
   const std::vector<Eigen::Vector3d> friction = column(frame, &ContactRecord::friction_force);
   const auto slips = [](const ContactRecord& contact) -> std::int32_t { return contact.slips ? 1 : 0; };
   const auto angle = [](const ContactRecord& contact) { return degrees(contact.angle); };
-  std::string text;
-  text += place_arrays(model, frame, "first", &ContactRecord::first_yarn, &ContactRecord::first_place);
-  text += place_arrays(model, frame, "second", &ContactRecord::second_yarn, &ContactRecord::second_place);
-  text += vtk_array("normal", column(frame, &ContactRecord::normal));
-  text += vtk_array("gap_mm", column(frame, &ContactRecord::gap));
-  text += vtk_array("normal_force_N", column(frame, &ContactRecord::normal_force));
-  text += vtk_array("friction_force_N", friction);
-  text += vtk_array("friction_force_magnitude_N", magnitudes(friction));
-  text += vtk_array("slip_mm", column(frame, &ContactRecord::slip));
-  text += vtk_array("elastic_slip_mm", column(frame, &ContactRecord::elastic_slip));
-  text += vtk_array("slips", column(frame, slips));
-  text += vtk_array("crossing_angle_deg", column(frame, angle));
-  return text;
+  add_place_arrays(model, frame, "first", &ContactRecord::first_yarn, &ContactRecord::first_place, add);
+  add_place_arrays(model, frame, "second", &ContactRecord::second_yarn, &ContactRecord::second_place, add);
+  add(vtk_array("normal", column(frame, &ContactRecord::normal)));
+  add(vtk_array("gap_mm", column(frame, &ContactRecord::gap)));
+  add(vtk_array("normal_force_N", column(frame, &ContactRecord::normal_force)));
+  add(vtk_array("friction_force_N", friction));
+  add(vtk_array("friction_force_magnitude_N", magnitudes(friction)));
+  add(vtk_array("slip_mm", column(frame, &ContactRecord::slip)));
+  add(vtk_array("elastic_slip_mm", column(frame, &ContactRecord::elastic_slip)));
+  add(vtk_array("slips", column(frame, slips)));
+  add(vtk_array("crossing_angle_deg", column(frame, angle)));
 }
 
 /// A cell for each point, without which ParaView shows nothing.
@@ -118,24 +117,37 @@ std::string contact_points_file_name(int index) {
   return fmt::format("contacts_{:04d}.vtp", index);
 }
 
-std::string contact_table_text(const Model& model, const Frame& frame) {
+void write_contact_table(const Model& model, const Frame& frame, const TextSink& add) {
   check_yarns(model, frame);
-  std::string text = std::string{kContactHeader} + "\n";
-  for (const ContactRecord& contact : frame.contacts) {
-    text += table_line(model, contact);
-  }
+  add(std::string{kContactHeader} + "\n");
+  for (const ContactRecord& contact : frame.contacts) add(table_line(model, contact));
+}
+
+void write_contact_points(const Model& model, const Frame& frame, const TextSink& add) {
+  check_yarns(model, frame);
+  const auto field_arrays = [&frame](const TextSink& sink) {
+    sink(vtk_field_array("strain", {frame.history.strain}));
+    sink(vtk_field_array("time_s", {frame.history.time}));
+  };
+  write_vtk_poly_data({.field_arrays = field_arrays,
+                       .points = column(frame, &ContactRecord::position),
+                       .point_arrays = [&](const TextSink& sink) { add_point_arrays(model, frame, sink); },
+                       .verts = single_points(frame.contacts.size()),
+                       .lines = {},
+                       .cell_arrays = {}},
+                      add);
+}
+
+std::string contact_table_text(const Model& model, const Frame& frame) {
+  std::string text;
+  write_contact_table(model, frame, [&text](std::string_view piece) { text += piece; });
   return text;
 }
 
 std::string contact_points_text(const Model& model, const Frame& frame) {
-  check_yarns(model, frame);
-  return vtk_poly_data_text({.field_arrays = vtk_field_array("strain", {frame.history.strain}) +
-                                             vtk_field_array("time_s", {frame.history.time}),
-                             .points = column(frame, &ContactRecord::position),
-                             .point_arrays = point_arrays(model, frame),
-                             .verts = single_points(frame.contacts.size()),
-                             .lines = {},
-                             .cell_arrays = {}});
+  std::string text;
+  write_contact_points(model, frame, [&text](std::string_view piece) { text += piece; });
+  return text;
 }
 
 }  // namespace knitmech::results

@@ -4,6 +4,7 @@
 
 #include "model/frame.h"
 #include "model/model.h"
+#include "results/vtk_xml.h"
 
 namespace knitmech::results {
 
@@ -25,8 +26,14 @@ inline constexpr const char* kContactHeader =
 /// Throws std::invalid_argument if a contact names a yarn that the model does not have; so does contact_points_text().
 [[nodiscard]] std::string contact_table_text(const model::Model& model, const model::Frame& frame);
 
+/// The same, line by line to a sink.
+void write_contact_table(const model::Model& model, const model::Frame& frame, const TextSink& add);
+
 /// The same as a ParaView .vtp file (vtk_xml.h): a point at the position of each contact, the columns of the table as
 /// its fields. Vectors are one field each, and the state is the number `slips`: 1 slip, 0 stick.
 [[nodiscard]] std::string contact_points_text(const model::Model& model, const model::Frame& frame);
+
+/// The same, in pieces to a sink.
+void write_contact_points(const model::Model& model, const model::Frame& frame, const TextSink& add);
 
 }  // namespace knitmech::results

@@ -52,36 +52,32 @@ std::vector<NamedElementValues> element_fields(const Frame& frame) {
           {"twist_energy_mJ", frame.twist_energy}};
 }
 
-std::string field_arrays(const Model& model, const Frame& frame) {
+void add_field_arrays(const Model& model, const Frame& frame, const TextSink& add) {
   const model::HistoryRow& row = frame.history;
-  std::string text;
-  text += vtk_field_array("strain", {row.strain});
-  text += vtk_field_array("time_s", {row.time});
-  text += vtk_field_array("displacement_mm", {row.displacement});
-  text += vtk_field_array("force_top_N", {row.force_top});
-  text += vtk_field_array("force_bottom_N", {row.force_bottom});
+  add(vtk_field_array("strain", {row.strain}));
+  add(vtk_field_array("time_s", {row.time}));
+  add(vtk_field_array("displacement_mm", {row.displacement}));
+  add(vtk_field_array("force_top_N", {row.force_top}));
+  add(vtk_field_array("force_bottom_N", {row.force_bottom}));
   for (const auto& [name, values] : element_fields(frame)) {
-    text += vtk_field_array(std::string{"element_"} + name, elements_only(model, values));
+    add(vtk_field_array(std::string{"element_"} + name, elements_only(model, values)));
   }
-  return text;
 }
 
-std::string point_arrays(const Model& model, const Frame& frame) {
-  std::string text;
+void add_point_arrays(const Model& model, const Frame& frame, const TextSink& add) {
   for (const auto& [name, values] : element_fields(frame)) {
-    text += vtk_array(name, average_to_nodes(model, frame.broken, values));
+    add(vtk_array(name, average_to_nodes(model, frame.broken, values)));
   }
-  text += vtk_array("contact_force_N", frame.contact_force);
-  text += vtk_array("contact_force_magnitude_N", magnitudes(frame.contact_force));
-  text += vtk_array("gap_mm", infinite_as_nan(frame.gap));
-  text += vtk_array("displacement_mm", displacements(model, frame));
-  text += vtk_array("rotation_wxyz", frame.rotations);
-  text += vtk_array("tie_force_N", frame.tie_force);
-  text += vtk_array("tube_radius_mm", tube_radii(model));
-  text += vtk_array("course", model.course);
-  text += vtk_array("wale", model.wale);
-  text += vtk_array("section", model.element_section);
-  return text;
+  add(vtk_array("contact_force_N", frame.contact_force));
+  add(vtk_array("contact_force_magnitude_N", magnitudes(frame.contact_force)));
+  add(vtk_array("gap_mm", infinite_as_nan(frame.gap)));
+  add(vtk_array("displacement_mm", displacements(model, frame)));
+  add(vtk_array("rotation_wxyz", frame.rotations));
+  add(vtk_array("tie_force_N", frame.tie_force));
+  add(vtk_array("tube_radius_mm", tube_radii(model)));
+  add(vtk_array("course", model.course));
+  add(vtk_array("wale", model.wale));
+  add(vtk_array("section", model.element_section));
 }
 
 /// Yarns as they are drawn: in pieces where they have broken, without pieces of a single node.
@@ -129,15 +125,22 @@ std::string frame_file_name(int index) {
   return fmt::format("frame_{:04d}.vtp", index);
 }
 
-std::string frame_text(const Model& model, const Frame& frame) {
+void write_frame(const Model& model, const Frame& frame, const TextSink& add) {
   check_sizes(model, frame);
   const std::vector<model::ModelYarn> pieces = drawn_pieces(model, frame);
-  return vtk_poly_data_text({.field_arrays = field_arrays(model, frame),
-                             .points = frame.points,
-                             .point_arrays = point_arrays(model, frame),
-                             .verts = {},
-                             .lines = lines(pieces),
-                             .cell_arrays = cell_arrays(model, pieces)});
+  write_vtk_poly_data({.field_arrays = [&](const TextSink& sink) { add_field_arrays(model, frame, sink); },
+                       .points = frame.points,
+                       .point_arrays = [&](const TextSink& sink) { add_point_arrays(model, frame, sink); },
+                       .verts = {},
+                       .lines = lines(pieces),
+                       .cell_arrays = [&](const TextSink& sink) { sink(cell_arrays(model, pieces)); }},
+                      add);
+}
+
+std::string frame_text(const Model& model, const Frame& frame) {
+  std::string text;
+  write_frame(model, frame, [&text](std::string_view piece) { text += piece; });
+  return text;
 }
 
 }  // namespace knitmech::results

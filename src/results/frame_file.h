@@ -4,14 +4,15 @@
 
 #include "model/frame.h"
 #include "model/model.h"
+#include "results/vtk_xml.h"
 
 namespace knitmech::results {
 
 /// Name of the file of a frame inside the folder frames/: frame_0000.vtp, frame_0001.vtp, ...
 [[nodiscard]] std::string frame_file_name(int index);
 
-/// A frame as a ParaView .vtp file (vtk_xml.h): one polyline per yarn, fields at its nodes. A yarn that
-/// has broken is as many polylines as it has pieces; the nodes of a piece of one node belong to none.
+/// Gives a frame as a ParaView .vtp file to a sink, in pieces (vtk_xml.h): one polyline per yarn, fields at its nodes.
+/// A yarn that has broken is as many polylines as it has pieces; the nodes of a piece of one node belong to none.
 ///
 /// A polyline per yarn is what ParaView's Tube filter turns into smooth yarns coloured by point data, so element
 /// quantities are given at the nodes (average_to_nodes()); their exact values, one per element, are in the field data
@@ -21,6 +22,9 @@ namespace knitmech::results {
 ///
 /// frame must have an entry per node of the model in every vector; throws std::invalid_argument otherwise. Its contacts
 /// are in files of their own (contact_file.h).
+void write_frame(const model::Model& model, const model::Frame& frame, const TextSink& add);
+
+/// The same as one text.
 [[nodiscard]] std::string frame_text(const model::Model& model, const model::Frame& frame);
 
 }  // namespace knitmech::results

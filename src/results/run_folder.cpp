@@ -4,6 +4,7 @@
 
 #include <cerrno>
 #include <fstream>
+#include <memory>
 #include <set>
 #include <string_view>
 #include <system_error>
@@ -120,10 +121,18 @@ std::set<std::string> files_of(const std::vector<FrameEntry>& frames) {
   return files;
 }
 
+/// Writes what a function gives to a sink.
+template <typename Write>
+void write_pieces(const fs::path& path, const Write& write, const model::Model& model, const model::Frame& frame) {
+  AtomicFile file(path);
+  write(model, frame, [&file](std::string_view piece) { file.write(piece); });
+  file.finish();
+}
+
 }  // namespace
 
-RunFolder::RunFolder(fs::path dir, const std::string& case_toml, model::Model model)
-    : dir_(std::move(dir)), model_(std::move(model)), history_text_(std::string{kHistoryHeader} + "\n") {
+RunFolder::RunFolder(fs::path dir, const std::string& case_toml, const model::Model& model)
+    : dir_(std::move(dir)), model_(model), history_text_(std::string{kHistoryHeader} + "\n") {
   try {
     refuse_foreign_folder(dir_);
     fs::create_directories(dir_);
@@ -137,13 +146,13 @@ RunFolder::RunFolder(fs::path dir, const std::string& case_toml, model::Model mo
     throw folder_error(dir_, error.code());
   }
   write_file_atomically(dir_ / kCaseFile, case_toml);
-  write_collections();
+  write_collections(record_.frames);
   write_history();
 }
 
-RunFolder::RunFolder(fs::path dir, RunRecord record, model::Model model)
+RunFolder::RunFolder(fs::path dir, RunRecord record, const model::Model& model)
     : dir_(std::move(dir)),
-      model_(std::move(model)),
+      model_(model),
       record_(std::move(record)),
       history_text_(std::string{kHistoryHeader} + "\n") {
   for (const model::HistoryRow& row : record_.history) history_text_ += history_line(row);
@@ -153,11 +162,12 @@ RunFolder::RunFolder(fs::path dir, RunRecord record, model::Model model)
   } catch (const fs::filesystem_error& error) {
     throw folder_error(dir_, error.code());
   }
-  write_collections();
+  write_collections(record_.frames);
   write_history();
 }
 
 void RunFolder::add_history(const model::HistoryRow& row) {
+  queue_.check();
   record_.history.push_back(row);
   history_text_ += history_line(row);
   const std::chrono::duration<double> age = std::chrono::steady_clock::now() - history_written_;
@@ -166,16 +176,24 @@ void RunFolder::add_history(const model::HistoryRow& row) {
   }
 }
 
-void RunFolder::add_frame(const model::Frame& frame) {
-  const fs::path folder = dir_ / kFramesFolder;
-  write_file_atomically(folder / frame_file_name(frame.index), frame_text(model_, frame));
-  write_file_atomically(folder / contact_table_file_name(frame.index), contact_table_text(model_, frame));
-  write_file_atomically(folder / contact_points_file_name(frame.index), contact_points_text(model_, frame));
+void RunFolder::add_frame(model::Frame frame) {
   record_.frames.push_back({frame.index, frame.history.strain});
   record_.contacts = summarise_contacts(model_, frame.contacts);
   update(record_.peaks, frame);
-  write_collections();
   write_history();
+  // A job must be copyable, which a frame of a large fabric had better not be.
+  const auto kept = std::make_shared<const model::Frame>(std::move(frame));
+  queue_.add([this, kept, written = record_.frames] {
+    write_frame_files(*kept);
+    write_collections(written);
+  });
+}
+
+void RunFolder::write_frame_files(const model::Frame& frame) {
+  const fs::path folder = dir_ / kFramesFolder;
+  write_pieces(folder / frame_file_name(frame.index), write_frame, model_, frame);
+  write_pieces(folder / contact_table_file_name(frame.index), write_contact_table, model_, frame);
+  write_pieces(folder / contact_points_file_name(frame.index), write_contact_points, model_, frame);
 }
 
 void RunFolder::log(const std::string& line) {
@@ -192,6 +210,7 @@ void RunFolder::log(const std::string& line) {
 
 void RunFolder::finish(const model::RunOutcome& outcome) {
   write_history();
+  queue_.finish();
   const double diameter = model_.sections.empty() ? 0.0 : model_.sections.front().diameter;
   const Quality quality = assess_quality(record_.history, outcome, diameter);
   write_file_atomically(dir_ / kSummaryFile,
@@ -200,10 +219,10 @@ void RunFolder::finish(const model::RunOutcome& outcome) {
   if (outcome.status != model::RunStatus::interrupted) remove_own(dir_ / kCheckpointFile);
 }
 
-void RunFolder::write_collections() const {
+void RunFolder::write_collections(const std::vector<FrameEntry>& frames) const {
   const fs::path folder = dir_ / kFramesFolder;
-  write_file_atomically(folder / kFramesCollection, collection_text(record_.frames, frame_file_name));
-  write_file_atomically(folder / kContactsCollection, collection_text(record_.frames, contact_points_file_name));
+  write_file_atomically(folder / kFramesCollection, collection_text(frames, frame_file_name));
+  write_file_atomically(folder / kContactsCollection, collection_text(frames, contact_points_file_name));
 }
 
 void RunFolder::write_history() {

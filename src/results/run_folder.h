@@ -9,6 +9,7 @@
 #include "model/model.h"
 #include "model/run_outcome.h"
 #include "results/run_record.h"
+#include "results/write_queue.h"
 
 namespace knitmech::results {
 
@@ -19,10 +20,11 @@ namespace knitmech::results {
 ///     frames/contacts.pvd  frames/contacts_0000.vtp ...  frames/contacts_0000.csv ...
 ///
 /// A reader never sees a half file: every file is written under another name and renamed, except log.txt, which grows
-/// by whole lines. summary.json says "running" until finish(). A killed run keeps its frames and all history but that
-/// of the last second (kHistoryRewriteInterval).
+/// by whole lines. summary.json says "running" until finish(). A killed run keeps its frames, but those that were still
+/// pending, and all history but that of the last second (kHistoryRewriteInterval).
 ///
-/// All members throw FileError with the path and the reason if a file cannot be written.
+/// Frames are written on a thread of their own (WriteQueue). All members throw FileError with the path and the reason
+/// if a file cannot be written; for a frame, the next member that is called does.
 class RunFolder {
  public:
   /// Makes the folder, with its parents, or takes over the folder of an older run, from which the files listed above
@@ -30,17 +32,24 @@ class RunFolder {
   ///
   /// Throws InputError, without touching anything, if dir is a file, or a folder with something in it that is not a
   /// KnitMech run folder (recognised by its summary.json).
-  RunFolder(std::filesystem::path dir, const std::string& case_toml, model::Model model);
+  /// \param model must outlive the run folder and stay as it is: large models are not copied
+  RunFolder(std::filesystem::path dir, const std::string& case_toml, const model::Model& model);
+  RunFolder(std::filesystem::path dir, const std::string& case_toml, model::Model&& model) = delete;
 
   /// Takes up the run in a folder where it had left this record: what it wrote after that is removed, or will be
   /// written anew.
-  RunFolder(std::filesystem::path dir, RunRecord record, model::Model model);
+  RunFolder(std::filesystem::path dir, RunRecord record, const model::Model& model);
+  RunFolder(std::filesystem::path dir, RunRecord record, model::Model&& model) = delete;
 
   /// Keeps a row of the history; history.csv is rewritten at most once per kHistoryRewriteInterval.
   void add_history(const model::HistoryRow& row);
 
-  /// Writes the frame, its contacts and the lists of both, and history.csv up to here.
-  void add_frame(const model::Frame& frame);
+  /// Writes history.csv up to here, and beside the run the frame, its contacts and the lists of both. Waits only if
+  /// kMostPendingWrites frames before are still being written.
+  void add_frame(model::Frame frame);
+
+  /// Waits until all frames that were added before are written; on any thread.
+  void wait_for_frames() { queue_.finish(); }
 
   /// Appends a line to log.txt.
   void log(const std::string& line);
@@ -55,13 +64,15 @@ class RunFolder {
 
  private:
   void write_history();
-  void write_collections() const;
+  void write_frame_files(const model::Frame& frame);
+  void write_collections(const std::vector<FrameEntry>& frames) const;
 
   std::filesystem::path dir_;
-  model::Model model_;
+  const model::Model& model_;
   RunRecord record_;
   std::string history_text_;
   std::chrono::steady_clock::time_point history_written_;
+  WriteQueue queue_;  ///< last, so that its thread ends first
 };
 
 }  // namespace knitmech::results

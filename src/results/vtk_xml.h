@@ -3,13 +3,18 @@
 #include <Eigen/Core>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace knitmech::results {
 
 /// The VTK XML format (PolyData, version 1.0) as ParaView reads it. All numbers are stored bit by bit (little endian,
-/// base64), and the text is plain well-formed XML. Names must not hold any of < > & ".
+/// compressed by zlib, base64), and the text is plain well-formed XML. Names must not hold any of < > & ".
+
+/// Takes a text piece by piece: a file of a large fabric need not be in memory as a whole.
+using TextSink = std::function<void(std::string_view)>;
 
 /// A DataArray: values of `components` numbers each, one after the other.
 [[nodiscard]] std::string vtk_array(const std::string& name, const std::vector<double>& values, int components = 1);
@@ -30,17 +35,20 @@ struct VtkCells {
   std::vector<std::int64_t> ends;
 };
 
-/// What a PolyData file holds. The texts are made of DataArrays and may be empty.
+/// Gives DataArrays to a sink, one after the other; may be empty.
+using VtkArrays = std::function<void(const TextSink& add)>;
+
+/// What a PolyData file holds.
 struct VtkPolyData {
-  std::string field_arrays;  ///< of the whole file
-  std::vector<Eigen::Vector3d> points;
-  std::string point_arrays;  ///< one entry per point
-  VtkCells verts;            ///< single points that are to be seen
-  VtkCells lines;            ///< polylines
-  std::string cell_arrays;   ///< one entry per cell, verts first
+  VtkArrays field_arrays;  ///< of the whole file
+  const std::vector<Eigen::Vector3d>& points;
+  VtkArrays point_arrays;  ///< one entry per point
+  VtkCells verts;          ///< single points that are to be seen
+  VtkCells lines;          ///< polylines
+  VtkArrays cell_arrays;   ///< one entry per cell, verts first
 };
 
-/// The text of a .vtp file; points are named points_mm.
-[[nodiscard]] std::string vtk_poly_data_text(const VtkPolyData& data);
+/// Gives the text of a .vtp file to a sink; points are named points_mm.
+void write_vtk_poly_data(const VtkPolyData& data, const TextSink& add);
 
 }  // namespace knitmech::results

@@ -31,7 +31,7 @@ struct SimulationSettings {
 struct SimulationCallbacks {
   std::function<void(const model::HistoryRow&)>
       on_history;  ///< settings.history_points times, evenly over strain, and with each frame
-  std::function<void(const model::Frame&)> on_frame;                ///< at the start, at settings.frames_at, at the end
+  std::function<void(model::Frame)> on_frame;                       ///< at the start, at settings.frames_at, at the end
   std::function<bool(const model::HistoryRow& latest)> keep_going;  ///< asked every few dozen steps; false interrupts
   std::function<bool()> wants_checkpoint = {};                      ///< asked as often as keep_going
   /// With all that the run remembers, where one is wanted and when the run is interrupted.

@@ -105,6 +105,7 @@ TEST_F(RunFolderTest, HoldsTheContactsOfEachFrameForTablesAndForParaView) {
   // When they are written.
   folder.add_frame(three);
   folder.add_frame(two);
+  folder.wait_for_frames();
   // Then each has the table and the points of its own contacts.
   const fs::path frames = dir_ / "frames";
   EXPECT_EQ(read_file(frames / "contacts_0000.csv"), contact_table_text(model_, three));
@@ -268,9 +269,23 @@ TEST_F(RunFolderTest, AFolderThatVanishesIsAFileError) {
   RunFolder folder(dir_, "", model_);
   fs::remove_all(dir_);
   EXPECT_THAT([&] { folder.add_frame(test::awkward_frame(model_, 0)); },
-              ThrowsMessage<FileError>(HasSubstr("frame_0000.vtp")));
+              ThrowsMessage<FileError>(HasSubstr("history.csv")));
   EXPECT_THAT([&] { folder.log("line"); }, ThrowsMessage<FileError>(HasSubstr("log.txt")));
   EXPECT_THAT([&] { folder.finish({}); }, ThrowsMessage<FileError>(HasSubstr("history.csv")));
+}
+
+TEST_F(RunFolderTest, AFrameThatCannotBeWrittenIsAFileErrorOfTheNextCall) {
+  // Given a disk that is full when the frame is written, beside the run.
+  RunFolder folder(dir_, "", model_);
+  fs::create_symlink("/dev/full", dir_ / "frames" / "frame_0000.vtp.partial");
+  folder.add_frame(test::awkward_frame(model_, 0));
+  // Then whoever waits for it learns why, and so does the run with its next row, and its end.
+  const auto says_why = ThrowsMessage<FileError>(AllOf(HasSubstr("frame_0000.vtp"), HasSubstr("No space left")));
+  EXPECT_THAT([&] { folder.wait_for_frames(); }, says_why);
+  EXPECT_THAT([&] { folder.add_history(row_at(0.1)); }, says_why);
+  EXPECT_THAT([&] { folder.finish({}); }, says_why);
+  // And the run is not called finished.
+  EXPECT_EQ(summary()["status"], "running");
 }
 
 TEST_F(RunFolderTest, AFullDiskWhileLoggingIsAFileError) {

@@ -1,8 +1,11 @@
 #include "vtk_xml_reader.h"
 
+#include <zlib.h>
+
 #include <cstdint>
 #include <cstring>
 #include <regex>
+#include <stdexcept>
 
 namespace knitmech::test {
 namespace {
@@ -49,12 +52,48 @@ std::vector<unsigned char> from_base64(const std::string& text) {
   return bytes;
 }
 
+std::size_t base64_length(std::size_t n_bytes) {
+  return (n_bytes + 2) / 3 * 4;
+}
+
+/// Number k of the header: number of blocks, their size, size of the last if it is smaller, compressed sizes.
+std::uint64_t header_number(const std::vector<unsigned char>& header, std::size_t k) {
+  std::uint64_t number = 0;
+  std::memcpy(&number, header.data() + k * sizeof number, sizeof number);
+  return number;
+}
+
+/// The bytes of inline compressed data: a base64 header, then the base64 of all compressed blocks one after the other.
+std::vector<unsigned char> decompressed(const std::string& content, const std::string& name) {
+  const auto n_blocks = header_number(from_base64(content.substr(0, base64_length(3 * sizeof(std::uint64_t)))), 0);
+  const std::size_t header_length = base64_length((3 + n_blocks) * sizeof(std::uint64_t));
+  const std::vector<unsigned char> header = from_base64(content.substr(0, header_length));
+  const std::vector<unsigned char> blocks = from_base64(content.substr(header_length));
+  std::vector<unsigned char> bytes;
+  std::size_t at = 0;
+  for (std::size_t k = 0; k < n_blocks; ++k) {
+    const bool is_partial = k + 1 == n_blocks && header_number(header, 2) != 0;
+    const std::uint64_t expected = header_number(header, is_partial ? 2 : 1);
+    const std::uint64_t compressed = header_number(header, 3 + k);
+    std::vector<unsigned char> block(expected);
+    uLongf size = expected;
+    if (at + compressed > blocks.size() || uncompress(block.data(), &size, blocks.data() + at, compressed) != Z_OK ||
+        size != expected) {
+      throw std::runtime_error("a block of " + name + " is wrong");
+    }
+    bytes.insert(bytes.end(), block.begin(), block.end());
+    at += compressed;
+  }
+  if (at != blocks.size()) throw std::runtime_error("the byte count of " + name + " is wrong");
+  return bytes;
+}
+
 template <typename Number>
-std::vector<double> numbers(const std::vector<unsigned char>& bytes, std::size_t begin, std::size_t size) {
-  std::vector<double> values(size / sizeof(Number));
+std::vector<double> numbers(const std::vector<unsigned char>& bytes) {
+  std::vector<double> values(bytes.size() / sizeof(Number));
   for (std::size_t i = 0; i < values.size(); ++i) {
     Number value;
-    std::memcpy(&value, bytes.data() + begin + i * sizeof(Number), sizeof value);
+    std::memcpy(&value, bytes.data() + i * sizeof(Number), sizeof value);
     values[i] = static_cast<double>(value);
   }
   return values;
@@ -65,18 +104,13 @@ VtkArray decode(const Element& element, const std::string& content) {
   array.type = element.attributes.at("type");
   const auto components = element.attributes.find("NumberOfComponents");
   array.components = components == element.attributes.end() ? 1 : std::stoi(components->second);
-  const std::vector<unsigned char> bytes = from_base64(content);
-  std::uint64_t size = 0;
-  std::memcpy(&size, bytes.data(), sizeof size);
-  if (bytes.size() != sizeof size + size) {
-    throw std::runtime_error("the byte count of " + element.attributes.at("Name") + " is wrong");
-  }
+  const std::vector<unsigned char> bytes = decompressed(content, element.attributes.at("Name"));
   if (array.type == "Float64") {
-    array.values = numbers<double>(bytes, sizeof size, size);
+    array.values = numbers<double>(bytes);
   } else if (array.type == "Int64") {
-    array.values = numbers<std::int64_t>(bytes, sizeof size, size);
+    array.values = numbers<std::int64_t>(bytes);
   } else if (array.type == "Int32") {
-    array.values = numbers<std::int32_t>(bytes, sizeof size, size);
+    array.values = numbers<std::int32_t>(bytes);
   }
   return array;
 }
