@@ -24,6 +24,11 @@ struct Elements {
   std::vector<double> viscosity;               ///< bulk viscosity force per axial speed difference [N s/mm]
 
   [[nodiscard]] std::size_t size() const { return inverse_length.size(); }
+
+  /// Frees what only the set-up needs: `stiffest`, `fold` and `mass`.
+  void forget_set_up() {
+    for (auto* of_set_up : {&stiffest, &fold, &mass}) std::vector<double>().swap(*of_set_up);
+  }
 };
 
 /// The shear stiffness that a slender element works with, so that shear does not rule the time step:

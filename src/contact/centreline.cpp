@@ -48,8 +48,9 @@ KNITMECH_VECTORISE void turn_all(const model::RotationArray& rotation, Turning a
   }
 }
 
-Turning turning(const model::VectorArray& stress_free, model::VectorArray& now) {
-  return {stress_free.x.data(), stress_free.y.data(), stress_free.z.data(), now.x.data(), now.y.data(), now.z.data()};
+/// \param from entry of the first node
+Turning turning(const model::VectorArray& stress_free, std::size_t from, model::VectorArray& now) {
+  return {&stress_free.x[from], &stress_free.y[from], &stress_free.z[from], now.x.data(), now.y.data(), now.z.data()};
 }
 
 struct NodeArrays {
@@ -102,8 +103,7 @@ Centreline::Centreline(const model::Model& model)
     : smooth_(model.centreline == model::Centreline::smooth),
       length_(make_yarn_elements(model).length),
       stress_free_tangent_(model.nodes.size()),
-      stress_free_bow_after_(model.nodes.size()),
-      stress_free_bow_before_(model.nodes.size()),
+      stress_free_bow_(model.nodes.size() + 1),
       tangent_(model.nodes.size()),
       bow_after_(model.nodes.size()),
       bow_before_(model.nodes.size()),
@@ -123,8 +123,7 @@ void Centreline::set_stress_free(const model::Model& model) {
     const Curve cubic{vector(model.nodes[i]), vector(model.nodes[i + 1]), size * stress_free_tangent_.at(i),
                       size * stress_free_tangent_.at(i + 1)};
     const Vector3 half = 0.5 * (vector(model.middles[i]) - combine(cubic, hermite(0.5)));
-    stress_free_bow_after_.set(i, half);
-    stress_free_bow_before_.set(i + 1, half);
+    stress_free_bow_.set(i + 1, half);
     reach_of_turn_ = std::max(reach_of_turn_, size / 3 + 2 * knitmech::length(half));
   }
 }
@@ -153,8 +152,8 @@ void Centreline::update(const model::State& state, CommonMotion common, double s
   team.for_ranges(n, base::kBlock, [&](std::size_t begin, std::size_t end) {
     if (!smooth_) return move_chords(nodes, shift, stretch, begin, end);
     move_nodes(nodes, 2 * reach_of_turn_, shift, stretch, begin, end);
-    turn_all(q, turning(stress_free_tangent_, tangent_), turning(stress_free_bow_after_, bow_after_),
-             turning(stress_free_bow_before_, bow_before_), begin, end);
+    turn_all(q, turning(stress_free_tangent_, 0, tangent_), turning(stress_free_bow_, 1, bow_after_),
+             turning(stress_free_bow_, 0, bow_before_), begin, end);
   });
 }
 

@@ -91,9 +91,8 @@ class Centreline {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(base::left_out(smooth_, length_, reach_of_turn_, stress_free_tangent_, stress_free_bow_after_,
-                           stress_free_bow_before_),
-            tangent_, bow_after_, bow_before_, rotation_, node_position_, moved_);
+    archive(base::left_out(smooth_, length_, reach_of_turn_, stress_free_tangent_, stress_free_bow_), tangent_,
+            bow_after_, bow_before_, rotation_, node_position_, moved_);
   }
 
  private:
@@ -103,8 +102,9 @@ class Centreline {
   std::vector<double> length_;  ///< of the elements [mm], along the stress-free yarn, one entry per node
   double reach_of_turn_ = 0;    ///< [mm], largest distance of a Bezier point from its node, with the bow
   model::VectorArray stress_free_tangent_;
-  model::VectorArray stress_free_bow_after_, stress_free_bow_before_;  ///< of the nodes, see below [mm]
-  model::VectorArray tangent_;                                         ///< at the nodes, turned with them; unit vectors
+  /// Half the bow of the element before each node, and at the end none: that after node i is entry i + 1 [mm].
+  model::VectorArray stress_free_bow_;
+  model::VectorArray tangent_;                 ///< at the nodes, turned with them; unit vectors
   model::VectorArray bow_after_, bow_before_;  ///< half the bow of the element after, before a node, turned with it
   model::RotationArray rotation_;              ///< of the nodes
   model::VectorArray node_position_;           ///< [mm]

@@ -109,7 +109,7 @@ void look_at_chords(const ContactElements& elements, const model::VectorArray& p
     keep_until(pair);
     const auto i = static_cast<std::size_t>(pair.first);
     const auto j = static_cast<std::size_t>(pair.second);
-    const double radii = elements.radius[i] + elements.radius[j];
+    const double radii = elements.radius_of(i) + elements.radius_of(j);
     const double gap = length(approach(position, i, j).between) - radii;
     if (gap > kFollowed * radii) return gap;
     near.push_back({pair});

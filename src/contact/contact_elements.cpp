@@ -35,7 +35,7 @@ ContactElements make_contact_elements(const model::Model& model) {
   elements.pieces_per_element = static_cast<int>(m);
   elements.yarn.assign(n, 0);
   elements.exists.assign(n, 0);
-  elements.radius.assign(n, 0.0);
+  elements.radius.assign(model.nodes.size(), 0.0);
   elements.arc_length.assign(n, 0.0);
   for (std::size_t y = 0; y < model.yarns.size(); ++y) {
     const model::ModelYarn& yarn = model.yarns[y];
@@ -48,7 +48,7 @@ ContactElements make_contact_elements(const model::Model& model) {
       const double radius = 0.5 * model.section_of(i).diameter;
       elements.largest_radius = std::max(elements.largest_radius, radius);
       elements.yarn[p] = static_cast<std::int32_t>(y);
-      elements.radius[p] = radius;
+      elements.radius[i] = radius;
       elements.exists[p] = is_last ? 0 : 1;
       elements.arc_length[p] = model.arc_length[i] + static_cast<double>(p % m) * length;
     }

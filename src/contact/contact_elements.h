@@ -14,7 +14,7 @@ struct ContactElements {
   int pieces_per_element = 1;        ///< m; contact node m i is node i of the model
   std::vector<std::int32_t> yarn;    ///< yarn of the contact node
   std::vector<std::uint8_t> exists;  ///< 1 where a piece starts
-  std::vector<double> radius;        ///< of the piece [mm]
+  std::vector<double> radius;        ///< of the element, one entry per node of the model [mm]
   std::vector<double> arc_length;    ///< of the contact node, along the stress-free yarn from its first node [mm]
   double largest_radius = 0;         ///< [mm]
 
@@ -22,6 +22,9 @@ struct ContactElements {
   [[nodiscard]] bool has_previous(std::size_t piece) const { return piece > 0 && exists[piece - 1] != 0; }
   [[nodiscard]] bool has_next(std::size_t piece) const { return piece + 1 < exists.size() && exists[piece + 1] != 0; }
   [[nodiscard]] std::int32_t element_of(std::int32_t piece) const { return piece / pieces_per_element; }
+  [[nodiscard]] double radius_of(std::size_t piece) const {
+    return radius[piece / static_cast<std::size_t>(pieces_per_element)];
+  }
   /// Share of the way along the element of a place on a piece.
   [[nodiscard]] double place_on_element(std::int32_t piece, double place) const {
     return (piece % pieces_per_element + place) / pieces_per_element;

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -14,9 +15,13 @@ namespace knitmech::contact {
 
 namespace {
 
-/// Least distance of two pieces of centreline [mm].
-double distance_of(const Curve& a, const Curve& b) {
-  const ClosestPoints at = closest_points(a.start, a.end - a.start, b.start, b.end - b.start);
+/// Least distance of two pieces of centreline [mm], or any distance that is not below a limit if it is not.
+double distance_below(double limit, const Curve& a, const Curve& b) {
+  const Vector3 along_a = a.end - a.start;
+  const Vector3 along_b = b.end - b.start;
+  const ClosestPoints at = closest_points(a.start, along_a, b.start, along_b);
+  const double of_chords = length(b.start + at.t * along_b - a.start - at.s * along_a);
+  if (of_chords - bulge(a) - bulge(b) >= limit) return limit;
   return length(closest_on_curves(a, b, at.s, at.t).between);
 }
 
@@ -76,16 +81,16 @@ void YarnContact::set_contact_results(model::Frame& frame) const {
 
   frame.gap.assign(n, std::numeric_limits<double>::infinity());
   for (const ElementPair pair : watch_.pairs()) {
-    const double radii =
-        pieces_.radius[static_cast<std::size_t>(pair.first)] + pieces_.radius[static_cast<std::size_t>(pair.second)];
-    const double gap =
-        distance_of(centreline_.piece_curve(pieces_, pair.first), centreline_.piece_curve(pieces_, pair.second)) -
-        radii;
-    for (const std::int32_t piece : {pair.first, pair.second}) {
-      const auto node = static_cast<std::size_t>(pieces_.element_of(piece));
-      frame.gap[node] = std::min(frame.gap[node], gap);
-      frame.gap[node + 1] = std::min(frame.gap[node + 1], gap);
-    }
+    const auto first = static_cast<std::size_t>(pieces_->element_of(pair.first));
+    const auto second = static_cast<std::size_t>(pieces_->element_of(pair.second));
+    const double radii = elements_.radius[first] + elements_.radius[second];
+    const std::array<std::size_t, 4> nodes{first, first + 1, second, second + 1};
+    double largest = 0;
+    for (const std::size_t node : nodes) largest = std::max(largest, frame.gap[node] + radii);
+    const double gap = distance_below(largest, centreline_.piece_curve(*pieces_, pair.first),
+                                      centreline_.piece_curve(*pieces_, pair.second)) -
+                       radii;
+    for (const std::size_t node : nodes) frame.gap[node] = std::min(frame.gap[node], gap);
   }
 }
 

@@ -82,16 +82,6 @@ Segment segment(std::int32_t piece, const model::VectorArray& position) {
   return {position.at(i), position.at(i + 1)};
 }
 
-/// The furthest that a node has moved [mm].
-double largest_motion(const model::VectorArray& before, const model::VectorArray& now) {
-  double squared = 0;
-  for (std::size_t i = 0; i < now.size(); ++i) {
-    const Vector3 motion = now.at(i) - before.at(i);
-    squared = std::max(squared, dot(motion, motion));
-  }
-  return std::sqrt(squared);
-}
-
 /// The furthest that a point of a segment has moved as seen from a point of the other one [mm]: from end to end.
 double relative_motion(const MovedSegment& a, const MovedSegment& b) {
   const Vector3 a_start = a.now.start - a.before.start;
@@ -103,68 +93,59 @@ double relative_motion(const MovedSegment& a, const MovedSegment& b) {
 
 }  // namespace
 
-CrossingWatch::CrossingWatch(const ContactElements& elements)
-    : elements_(elements),
-      counted_(elements.n_nodes(), {0, 1}),
-      offset_(kOffset * 2 * elements.largest_radius * kOffsetDirection),
-      ends_(elements) {
-  set_counted_parts();
-}
-
-void CrossingWatch::set_counted_parts() {
-  for (const YarnRange& yarn : yarn_ranges(elements_)) {
-    const double uncounted = kUncountedEnd * elements_.radius[yarn.first_node];
-    const double from = elements_.arc_length[yarn.first_node] + uncounted;
-    const double to = elements_.arc_length[yarn.last_node] - uncounted;
-    for (std::size_t i = yarn.first_node; i < yarn.last_node; ++i) {
-      const double start = elements_.arc_length[i];
-      const double size = elements_.arc_length[i + 1] - start;
-      counted_[i] = {std::max(0.0, (from - start) / size), std::min(1.0, (to - start) / size)};
-    }
+CrossingWatch::CrossingWatch(std::shared_ptr<const ContactElements> elements)
+    : elements_(std::move(elements)),
+      offset_(kOffset * 2 * elements_->largest_radius * kOffsetDirection),
+      ends_(elements_) {
+  for (const YarnRange& yarn : yarn_ranges(*elements_)) {
+    const double uncounted = kUncountedEnd * elements_->radius_of(yarn.first_node);
+    counted_.resize(static_cast<std::size_t>(yarn.yarn) + 1, {0, 0});
+    counted_.back() = {elements_->arc_length[yarn.first_node] + uncounted,
+                       elements_->arc_length[yarn.last_node] - uncounted};
   }
 }
 
-bool CrossingWatch::is_counted(std::int32_t piece) const {
-  const CountedPart part = counted_[static_cast<std::size_t>(piece)];
-  return part.from < part.to;
+CrossingWatch::CountedPart CrossingWatch::counted_part(std::int32_t piece) const {
+  const auto i = static_cast<std::size_t>(piece);
+  const ArcWindow& window = counted_[static_cast<std::size_t>(elements_->yarn[i])];
+  const double start = elements_->arc_length[i];
+  const double size = elements_->arc_length[i + 1] - start;
+  return {std::max(0.0, (window.from - start) / size), std::min(1.0, (window.to - start) / size)};
 }
 
-Segment CrossingWatch::counted_part(std::int32_t piece, const model::VectorArray& position) const {
-  const CountedPart part = counted_[static_cast<std::size_t>(piece)];
+Segment CrossingWatch::counted_segment(std::int32_t piece, const model::VectorArray& position) const {
+  const CountedPart part = counted_part(piece);
   const Segment whole = segment(piece, position);
   return {(1 - part.from) * whole.start + part.from * whole.end, (1 - part.to) * whole.start + part.to * whole.end};
 }
 
-CrossingReport CrossingWatch::update(const model::VectorArray& position, const std::vector<ElementPair>& pairs) {
+CrossingReport CrossingWatch::update(const model::VectorArray& position, const std::vector<ElementPair>& pairs,
+                                     double motion) {
   CrossingReport report;
   report.lost = losses(position);
   report.ravelled = ends_.update(position, pairs);
-  remember(position, pairs);
+  remember(position, pairs, motion + length(offset_));
   return report;
 }
 
 std::vector<CrossingLoss> CrossingWatch::losses(const model::VectorArray& position) const {
-  if (pairs_.empty()) return {};
   std::vector<Pass> found;
-  const double reach = 2 * largest_motion(position_, position) + length(offset_);
-  for (std::size_t k = 0; k < pairs_.size(); ++k) {
-    const ElementPair pair = pairs_[k];
-    if (distance_[k] > reach || !is_counted(pair.first) || !is_counted(pair.second)) continue;
-    const MovedSegment a{counted_part(pair.first, position_), counted_part(pair.first, position)};
-    const MovedSegment b{counted_part(pair.second, position_), counted_part(pair.second, position)};
-    if (distance_[k] > relative_motion(a, b) + length(offset_)) continue;
+  for (const NearPair& near : near_) {
+    const MovedSegment a{near.first, counted_segment(near.pair.first, position)};
+    const MovedSegment b{near.second, counted_segment(near.pair.second, position)};
+    if (near.distance > relative_motion(a, b) + length(offset_)) continue;
     const int count = passes(a, b, offset_);
-    if (count != 0) found.push_back({pair, count, place_of_pass(a, b)});
+    if (count != 0) found.push_back({near.pair, count, place_of_pass(a, b)});
   }
   return losses_of(std::move(found));
 }
 
-void CrossingWatch::remember(const model::VectorArray& position, const std::vector<ElementPair>& pairs) {
-  position_ = position;
-  pairs_ = pairs;
-  distance_.clear();
+void CrossingWatch::remember(const model::VectorArray& position, const std::vector<ElementPair>& pairs, double reach) {
+  near_.clear();
   for (const ElementPair pair : pairs) {
-    distance_.push_back(meeting(segment(pair.first, position), segment(pair.second, position)).distance);
+    const double distance = meeting(segment(pair.first, position), segment(pair.second, position)).distance;
+    if (distance > reach || !counted_part(pair.first).is_any() || !counted_part(pair.second).is_any()) continue;
+    near_.push_back({pair, distance, counted_segment(pair.first, position), counted_segment(pair.second, position)});
   }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "base/left_out.h"
@@ -8,6 +9,7 @@
 #include "contact/gauss_integral.h"
 #include "contact/neighbour_search.h"
 #include "contact/ravel_watch.h"
+#include "contact/yarn_window.h"
 #include "model/state.h"
 
 namespace knitmech::contact {
@@ -40,40 +42,51 @@ struct CrossingReport {
 /// do not. Pieces of two diameters that turn by 0.25 rad leave 0.06 D each, and 0.25 D where they turn by 1 rad.
 class CrossingWatch {
  public:
-  explicit CrossingWatch(const ContactElements& elements);
+  explicit CrossingWatch(std::shared_ptr<const ContactElements> elements);
 
   /// Compares with the positions at the call before. The first call has nothing to compare with.
   ///
-  /// Its cost is linear in the number of pairs: one distance each.
+  /// Its cost is linear in the number of pairs: one distance each. What is remembered of it are only the pairs that may
+  /// meet before the next call.
   /// \param position of the contact nodes [mm]
-  /// \param pairs all pairs of pieces that may meet before the next call: nearer to each other than they will then have
-  /// moved against each other, so by 0.4 D if the next call comes before a node has moved 0.2 D; and the pairs of a
-  /// crossing, nearer than about 1.4 D (find_neighbours), for the yarn ends
-  CrossingReport update(const model::VectorArray& position, const std::vector<ElementPair>& pairs);
+  /// \param pairs all pairs of pieces that may meet before the next call, and those of a crossing, nearer than about
+  /// 1.4 D (find_neighbours), for the yarn ends
+  /// \param motion that two pieces make against each other before the next call at most [mm]
+  CrossingReport update(const model::VectorArray& position, const std::vector<ElementPair>& pairs, double motion);
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(base::left_out(elements_, counted_, offset_), position_, pairs_, distance_, ends_);
+    archive(base::left_out(elements_, counted_, offset_), near_, ends_);
   }
 
  private:
   /// The part of a piece that counts, as shares of the way along it; nothing if it ends before it starts.
   struct CountedPart {
     double from, to;
+    [[nodiscard]] bool is_any() const { return from < to; }
   };
 
-  void set_counted_parts();
-  [[nodiscard]] bool is_counted(std::int32_t piece) const;
-  [[nodiscard]] Segment counted_part(std::int32_t piece, const model::VectorArray& position) const;
-  [[nodiscard]] std::vector<CrossingLoss> losses(const model::VectorArray& position) const;
-  void remember(const model::VectorArray& position, const std::vector<ElementPair>& pairs);
+  /// A pair that may meet, and where the parts of it that count were.
+  struct NearPair {
+    ElementPair pair;
+    double distance;  ///< of the whole pieces [mm]
+    Segment first, second;
 
-  ContactElements elements_;
-  std::vector<CountedPart> counted_;  ///< one entry per piece
-  Vector3 offset_;                    ///< [mm], see passes()
-  model::VectorArray position_;       ///< at the last call [mm]
-  std::vector<ElementPair> pairs_;    ///< of the last call
-  std::vector<double> distance_;      ///< of the pairs, then [mm]
+    template <class Archive>
+    void serialize(Archive& archive) {
+      archive(pair, distance, first, second);
+    }
+  };
+
+  [[nodiscard]] CountedPart counted_part(std::int32_t piece) const;
+  [[nodiscard]] Segment counted_segment(std::int32_t piece, const model::VectorArray& position) const;
+  [[nodiscard]] std::vector<CrossingLoss> losses(const model::VectorArray& position) const;
+  void remember(const model::VectorArray& position, const std::vector<ElementPair>& pairs, double reach);
+
+  std::shared_ptr<const ContactElements> elements_;
+  std::vector<ArcWindow> counted_;  ///< one entry per yarn
+  Vector3 offset_;                  ///< [mm], see passes()
+  std::vector<NearPair> near_;      ///< of the last call
   RavelWatch ends_;
 };
 

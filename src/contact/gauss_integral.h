@@ -9,6 +9,11 @@ namespace knitmech::contact {
 /// A straight piece of a yarn.
 struct Segment {
   Vector3 start, end;  ///< [mm]
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(start, end);
+  }
 };
 
 /// A piece that has moved.

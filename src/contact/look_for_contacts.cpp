@@ -132,7 +132,7 @@ class Look {
   }
 
  private:
-  [[nodiscard]] double radius(std::int32_t piece) const { return pieces_.radius[static_cast<std::size_t>(piece)]; }
+  [[nodiscard]] double radius(std::int32_t piece) const { return pieces_.radius_of(static_cast<std::size_t>(piece)); }
   [[nodiscard]] YarnPlace place(std::int32_t piece, double on_piece) const {
     return {pieces_.element_of(piece), pieces_.place_on_element(piece, on_piece)};
   }

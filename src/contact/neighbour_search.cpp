@@ -114,7 +114,7 @@ bool within_reach(const model::VectorArray& position, std::size_t a, std::size_t
 bool too_near_along_yarn(const ContactElements& elements, std::size_t first, std::size_t second) {
   if (elements.yarn[first] != elements.yarn[second]) return false;
   if (second <= first + 1) return true;
-  const double diameter = elements.radius[first] + elements.radius[second];
+  const double diameter = elements.radius_of(first) + elements.radius_of(second);
   return elements.arc_length[second] - elements.arc_length[first + 1] < kSelfContactArc * std::numbers::pi * diameter;
 }
 
@@ -123,6 +123,8 @@ std::vector<ElementPair> find_neighbours(const ContactElements& elements, const 
                                          SearchCost* cost) {
   const double largest_bulge = *std::max_element(bulge.begin(), bulge.end());
   const Grid grid(elements, position, 2 * elements.largest_radius + skin + 2 * largest_bulge);
+  const auto m = static_cast<std::size_t>(elements.pieces_per_element);
+  const auto bulge_of = [&](std::size_t piece) { return bulge[piece / m]; };
   const auto due = [&](std::size_t element) { return is_due.empty() || is_due[element] != 0; };
   std::vector<ElementPair> pairs;
   std::int64_t compared = 0;
@@ -133,7 +135,7 @@ std::vector<ElementPair> find_neighbours(const ContactElements& elements, const 
       ++compared;
       const auto [first, second] = std::minmax(a, b);
       if (too_near_along_yarn(elements, first, second)) return;
-      const double reach = elements.radius[a] + elements.radius[b] + skin + bulge[a] + bulge[b];
+      const double reach = elements.radius_of(a) + elements.radius_of(b) + skin + bulge_of(a) + bulge_of(b);
       if (!within_reach(position, first, second, reach)) return;
       pairs.push_back({static_cast<std::int32_t>(first), static_cast<std::int32_t>(second)});
     });

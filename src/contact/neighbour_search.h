@@ -34,9 +34,10 @@ struct SearchCost {
 /// uniform grid that their middle lies in, and those that are due are compared with those of the same and the adjacent
 /// cells. So the cost is linear in the number of elements, whatever the shape of the fabric, as long as it is nowhere
 /// denser and no element longer.
-/// \param bulge how far the centreline may leave each element's chord [mm], one entry per node; 0 for chords
+/// \param bulge how far the centreline may leave the chords of the pieces of each element [mm], one entry per node of
+/// the model; 0 for chords
 /// \param skin [mm]
-/// \param is_due one entry per node; empty: all
+/// \param is_due one entry per contact node; empty: all
 /// \param cost set if given
 [[nodiscard]] std::vector<ElementPair> find_neighbours(const ContactElements& elements,
                                                        const model::VectorArray& position,

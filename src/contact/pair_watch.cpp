@@ -28,6 +28,8 @@ void PairWatch::renew(const std::vector<char>& is_due, const std::vector<Element
     if (is_known) ++old;
   }
   keep_until({std::numeric_limits<std::int32_t>::max(), 0});
+  pairs.shrink_to_fit();
+  wakes.shrink_to_fit();
   pairs_ = std::move(pairs);
   wakes_ = std::move(wakes);
 }

@@ -62,17 +62,14 @@ bool is_inside(double place, ArcWindow window) {
 
 }  // namespace
 
-RavelWatch::RavelWatch(const ContactElements& elements)
-    : elements_(elements),
-      ranges_(yarn_ranges(elements)),
-      range_of_(elements.n_nodes(), -1),
-      tail_of_(elements.n_nodes(), -1) {
+RavelWatch::RavelWatch(std::shared_ptr<const ContactElements> elements)
+    : elements_(std::move(elements)), ranges_(yarn_ranges(*elements_)), tail_at_(elements_->n_nodes(), kNoTail) {
   for (std::size_t r = 0; r < ranges_.size(); ++r) {
     const YarnRange& range = ranges_[r];
-    std::fill(range_of_.begin() + static_cast<std::ptrdiff_t>(range.first_node),
-              range_of_.begin() + static_cast<std::ptrdiff_t>(range.last_node), static_cast<std::int32_t>(r));
-    const double whole = elements.arc_length[range.last_node] - elements.arc_length[range.first_node];
-    const double tail = std::min(2 * kTail * elements.radius[range.first_node], 0.5 * whole);
+    range_of_yarn_.resize(static_cast<std::size_t>(range.yarn) + 1);
+    range_of_yarn_.back() = r;
+    const double whole = elements_->arc_length[range.last_node] - elements_->arc_length[range.first_node];
+    const double tail = std::min(2 * kTail * elements_->radius_of(range.first_node), 0.5 * whole);
     add_tail(r, YarnEnd::first_node, tail);
     add_tail(r, YarnEnd::last_node, tail);
   }
@@ -80,13 +77,13 @@ RavelWatch::RavelWatch(const ContactElements& elements)
 
 void RavelWatch::add_tail(std::size_t range, YarnEnd end, double length) {
   const bool first = end == YarnEnd::first_node;
-  const double end_arc = elements_.arc_length[first ? ranges_[range].first_node : ranges_[range].last_node];
+  const double end_arc = elements_->arc_length[first ? ranges_[range].first_node : ranges_[range].last_node];
   const ArcWindow window = first ? ArcWindow{end_arc, end_arc + length} : ArcWindow{end_arc - length, end_arc};
   for (std::size_t i = ranges_[range].first_node; i < ranges_[range].last_node; ++i) {
     // A piece that two tails share belongs to that which has its middle.
-    const double middle = 0.5 * (elements_.arc_length[i] + elements_.arc_length[i + 1]);
-    const bool within = elements_.arc_length[i] < window.to && elements_.arc_length[i + 1] > window.from;
-    if (within && (tail_of_[i] < 0 || middle > window.from)) tail_of_[i] = static_cast<std::int32_t>(tails_.size());
+    const double middle = 0.5 * (elements_->arc_length[i] + elements_->arc_length[i + 1]);
+    const bool within = elements_->arc_length[i] < window.to && elements_->arc_length[i + 1] > window.from;
+    if (within && (tail_at_[i] == kNoTail || middle > window.from)) tail_at_[i] = first ? kFirstTail : kLastTail;
   }
   tails_.push_back({range, end, window, end_arc});
 }
@@ -131,12 +128,11 @@ void RavelWatch::hold_new(const model::VectorArray& position, const std::vector<
 /// Of all pairs of pieces near the same place, the nearest stays.
 void RavelWatch::add_approach(const model::VectorArray& position, std::int32_t tail_piece, std::int32_t other_piece,
                               std::vector<TailApproach>& found) const {
-  const std::int32_t tail = tail_of_[static_cast<std::size_t>(tail_piece)];
-  if (tail < 0) return;
+  const std::uint8_t tail = tail_at_[static_cast<std::size_t>(tail_piece)];
+  if (tail == kNoTail) return;
   const LinePlaces at =
-      closest_on_lines(piece_line(elements_, position, tail_piece), piece_line(elements_, position, other_piece));
-  TailApproach approach{static_cast<std::size_t>(tail),
-                        static_cast<std::size_t>(range_of_[static_cast<std::size_t>(other_piece)]), at.second_arc,
+      closest_on_lines(piece_line(*elements_, position, tail_piece), piece_line(*elements_, position, other_piece));
+  TailApproach approach{2 * range_of(tail_piece) + (tail == kLastTail ? 1 : 0), range_of(other_piece), at.second_arc,
                         at.distance};
   approach.sticks_out = std::abs(at.first_arc - tails_[approach.tail].end_arc);
   if (is_own_yarn(approach) && loop_length(approach) <= 0) return;  // the other piece is the one nearer to the end
@@ -154,7 +150,7 @@ void RavelWatch::add_approach(const model::VectorArray& position, std::int32_t t
 bool RavelWatch::look(const model::VectorArray& position, TailApproach& approach) const {
   const std::size_t yarn = tails_[approach.tail].range;
   const auto cut = [&](std::size_t range, ArcWindow window) {
-    return cut_window(elements_, ranges_[range], position, window);
+    return cut_window(*elements_, ranges_[range], position, window);
   };
   const double step = kPlaceStep * diameter(approach);
   const Windows before = windows(approach);
@@ -226,8 +222,8 @@ bool RavelWatch::is_same(const TailApproach& a, const TailApproach& b, double re
 }
 
 double RavelWatch::diameter(const TailApproach& approach) const {
-  return elements_.radius[ranges_[tails_[approach.tail].range].first_node] +
-         elements_.radius[ranges_[approach.other].first_node];
+  return elements_->radius_of(ranges_[tails_[approach.tail].range].first_node) +
+         elements_->radius_of(ranges_[approach.other].first_node);
 }
 
 RavelEvent RavelWatch::event_of(const TailApproach& approach) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "base/left_out.h"
@@ -56,7 +57,7 @@ struct TailApproach {
 /// matter. Where a yarn crosses itself, its two windows leave out the middle half of the loop between them.
 class RavelWatch {
  public:
-  explicit RavelWatch(const ContactElements& elements);
+  explicit RavelWatch(std::shared_ptr<const ContactElements> elements);
 
   /// The events since the call before. An end must not move more than about 0.2 D between two calls.
   /// \param position of the contact nodes [mm]
@@ -65,10 +66,11 @@ class RavelWatch {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(base::left_out(elements_, ranges_, tails_, range_of_, tail_of_), held_, gone_);
+    archive(base::left_out(elements_, ranges_, tails_, range_of_yarn_, tail_at_), held_, gone_);
   }
 
  private:
+  static constexpr std::uint8_t kNoTail = 0, kFirstTail = 1, kLastTail = 2;
   struct Tail {
     std::size_t range;  ///< index into ranges_
     YarnEnd end;
@@ -88,6 +90,9 @@ class RavelWatch {
     }
   };
 
+  [[nodiscard]] std::size_t range_of(std::int32_t piece) const {
+    return range_of_yarn_[static_cast<std::size_t>(elements_->yarn[static_cast<std::size_t>(piece)])];
+  }
   void add_tail(std::size_t range, YarnEnd end, double length);
   void follow_held(const model::VectorArray& position, std::vector<RavelEvent>& events);
   void hold_new(const model::VectorArray& position, const std::vector<ElementPair>& pairs);
@@ -105,11 +110,11 @@ class RavelWatch {
   [[nodiscard]] double diameter(const TailApproach& approach) const;
   [[nodiscard]] RavelEvent event_of(const TailApproach& approach) const;
 
-  ContactElements elements_;
+  std::shared_ptr<const ContactElements> elements_;
   std::vector<YarnRange> ranges_;
-  std::vector<Tail> tails_;
-  std::vector<std::int32_t> range_of_;  ///< one entry per piece
-  std::vector<std::int32_t> tail_of_;   ///< one entry per piece; -1: belongs to none
+  std::vector<Tail> tails_;                 ///< two to a range, that of the first node before that of the last
+  std::vector<std::size_t> range_of_yarn_;  ///< index into ranges_
+  std::vector<std::uint8_t> tail_at_;       ///< which tail of its yarn a piece belongs to; one entry per piece
   std::vector<HeldCrossing> held_;
   std::vector<TailApproach> gone_;  ///< reported
 };

@@ -85,7 +85,7 @@ class Around {
   [[nodiscard]] bool are_near(const PieceChord& a, const PieceChord& b) const {
     const auto i = static_cast<std::size_t>(a.piece);
     const auto j = static_cast<std::size_t>(b.piece);
-    const double reach = pieces_.radius[i] + pieces_.radius[j] + skin_ + a.bulge + b.bulge;
+    const double reach = pieces_.radius_of(i) + pieces_.radius_of(j) + skin_ + a.bulge + b.bulge;
     const double far = reach + 0.5 * (length(a.along) + length(b.along));
     const Vector3 between = b.start + 0.5 * b.along - a.start - 0.5 * a.along;
     if (dot(between, between) > far * far || too_near_along_yarn(pieces_, i, j)) return false;

@@ -35,7 +35,7 @@ class TouchFinder {
     [[nodiscard]] Vector3 at(std::size_t i) const { return {x[i], y[i], z[i]}; }
   };
 
-  [[nodiscard]] double radius(std::int32_t piece) const { return pieces_.radius[static_cast<std::size_t>(piece)]; }
+  [[nodiscard]] double radius(std::int32_t piece) const { return pieces_.radius_of(static_cast<std::size_t>(piece)); }
   [[nodiscard]] double length_of(std::int32_t piece) const;
   [[nodiscard]] CutPiece cut(std::int32_t piece, double size) const;
   [[nodiscard]] YarnPlace place(std::int32_t piece, double on_piece) const;

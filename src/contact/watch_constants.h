@@ -4,6 +4,10 @@
 /// does. D is the diameter of the yarns, or the mean of two.
 namespace knitmech::contact {
 
+/// What two pieces may move against each other between two checks beyond twice kCheckCrossings, since a check comes
+/// only after the step that makes it due [D]. Nodes move by 0.05 D in a step at most.
+inline constexpr double kBeyondCheck = 0.2;
+
 /// Length at a free end of a yarn that the watch over crossings does not count [radii of the yarn]. What slips over
 /// the end there leaves the loop instead of going through it. Larger: passes close to an end are no losses.
 inline constexpr double kUncountedEnd = 1;

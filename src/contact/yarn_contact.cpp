@@ -8,15 +8,16 @@
 #include "contact/frequency_bound.h"
 #include "contact/look_for_contacts.h"
 #include "contact/search_around.h"
+#include "contact/watch_constants.h"
 
 namespace knitmech::contact {
 
 YarnContact::YarnContact(const model::Model& model)
     : elements_(make_yarn_elements(model)),
-      pieces_(make_contact_elements(model)),
+      pieces_(std::make_shared<const ContactElements>(make_contact_elements(model))),
       centreline_(model),
       law_{model.contact_stiffness, FrictionTable(model)},
-      skin_(kSkin * 2 * pieces_.largest_radius),
+      skin_(kSkin * 2 * pieces_->largest_radius),
       motion_(model.nodes.size()),
       crossing_watch_(pieces_) {}
 
@@ -24,47 +25,55 @@ YarnContact::YarnContact(const model::Model& model)
 /// searched often, the fabric behind it seldom.
 void YarnContact::search(const model::State& state) {
   std::vector<std::int32_t> due;
-  std::vector<char> is_due(pieces_.n_nodes(), 0);
-  const auto m = static_cast<std::size_t>(pieces_.pieces_per_element);
+  std::vector<char> is_due(pieces_->n_nodes(), 0);
+  const auto m = static_cast<std::size_t>(pieces_->pieces_per_element);
   for (std::size_t i = 0; i < elements_.n_nodes(); ++i) {
     if (motion_.since_search(i) < kSearchEarly * skin_) continue;
     motion_.searched(i);
     due.push_back(static_cast<std::int32_t>(i));
-    std::fill_n(is_due.begin() + static_cast<std::ptrdiff_t>(i * m), std::min(m, pieces_.n_nodes() - i * m), 1);
+    std::fill_n(is_due.begin() + static_cast<std::ptrdiff_t>(i * m), std::min(m, pieces_->n_nodes() - i * m), 1);
   }
-  watch_.renew(is_due,
-               due.size() <= kFewElements ? search_around(due, pieces_, centreline_, skin_) : search_all(is_due));
+  const model::VectorArray positions = centreline_.piece_positions(*pieces_);
+  watch_.renew(is_due, due.size() <= kFewElements ? search_around(due, *pieces_, centreline_, skin_)
+                                                  : search_all(positions, is_due));
   common_motion_ = fit_common_motion(state);
   ++searches_;
-  check_crossings();
+  check_crossings(positions);
 }
 
-std::vector<ElementPair> YarnContact::search_all(const std::vector<char>& is_due) const {
-  std::vector<double> bulges(pieces_.n_nodes(), 0.0);
-  for (std::size_t i = 0; i < bulges.size(); ++i) {
-    if (centreline_.is_smooth() && pieces_.exists[i] != 0) {
-      bulges[i] = bulge(centreline_.piece_curve(pieces_, static_cast<std::int32_t>(i)));
-    }
+std::vector<ElementPair> YarnContact::search_all(const model::VectorArray& positions,
+                                                 const std::vector<char>& is_due) const {
+  std::vector<double> bulges(elements_.n_nodes(), 0.0);
+  for (std::size_t i = 0; i < pieces_->n_nodes(); ++i) {
+    if (!centreline_.is_smooth() || pieces_->exists[i] == 0) continue;
+    const auto piece = static_cast<std::int32_t>(i);
+    double& largest = bulges[static_cast<std::size_t>(pieces_->element_of(piece))];
+    largest = std::max(largest, bulge(centreline_.piece_curve(*pieces_, piece)));
   }
-  return find_neighbours(pieces_, centreline_.piece_positions(pieces_), bulges, skin_, is_due);
+  return find_neighbours(*pieces_, positions, bulges, skin_, is_due);
 }
 
 void YarnContact::check_crossings() {
-  const CrossingReport report = crossing_watch_.update(centreline_.piece_positions(pieces_), watch_.pairs());
+  check_crossings(centreline_.piece_positions(*pieces_));
+}
+
+void YarnContact::check_crossings(const model::VectorArray& positions) {
+  const double motion = (2 * kCheckCrossings + kBeyondCheck) * 2 * pieces_->largest_radius;
+  const CrossingReport report = crossing_watch_.update(positions, watch_.pairs(), motion);
   ++crossing_checks_;
   motion_.checked();
   ravelled_.insert(ravelled_.end(), report.ravelled.begin(), report.ravelled.end());
   if (report.lost.empty() || lost_) return;
   const CrossingLoss& loss = report.lost.front();
-  lost_ = LostCrossing{pieces_.element_of(loss.first), pieces_.element_of(loss.second), loss.place};
+  lost_ = LostCrossing{pieces_->element_of(loss.first), pieces_->element_of(loss.second), loss.place};
 }
 
 void YarnContact::look() {
-  motion_.set_bounds(0.5 * skin_, kCheckCrossings * 2 * pieces_.largest_radius);
+  motion_.set_bounds(0.5 * skin_, kCheckCrossings * 2 * pieces_->largest_radius);
   if (centreline_.is_smooth()) {
-    look_for_contacts(elements_, pieces_, centreline_, motion_, watch_, followed_);
+    look_for_contacts(elements_, *pieces_, centreline_, motion_, watch_, followed_);
   } else {
-    look_at_chords(pieces_, centreline_.node_position(), motion_, watch_, near_);
+    look_at_chords(*pieces_, centreline_.node_position(), motion_, watch_, near_);
   }
 }
 
@@ -73,14 +82,14 @@ void YarnContact::add_forces(const model::State& state, double step, model::Noda
   centreline_.update(state, common_motion_, step, team);
   // Two yarns in contact are at most a few radii apart along y; as much of the common stretch is between them.
   const double stretch = std::abs(common_motion_.rate) * step;
-  motion_.add(centreline_.moved(), stretch * (2 * pieces_.largest_radius + skin_), team);
+  motion_.add(centreline_.moved(), stretch * (2 * pieces_->largest_radius + skin_), team);
   if (motion_.has_reached_a_bound() || followed_.asks_for_look) {
     if (motion_.largest_since_search() >= 0.5 * skin_) search(state);
-    if (motion_.largest_since_check() >= kCheckCrossings * 2 * pieces_.largest_radius) check_crossings();
+    if (motion_.largest_since_check() >= kCheckCrossings * 2 * pieces_->largest_radius) check_crossings();
     look();
   }
   const StepOfContacts now{elements_, centreline_, law_, motion_, state, step, density_factor()};
-  const ContactStep done = centreline_.is_smooth() ? smooth_forces_.add(now, pieces_, team, followed_, loads)
+  const ContactStep done = centreline_.is_smooth() ? smooth_forces_.add(now, *pieces_, team, followed_, loads)
                                                    : chord_forces_.add(now, team, near_, loads);
   friction_loss_ += done.friction_loss;
   largest_penetration_ = done.largest_penetration;

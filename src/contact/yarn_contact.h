@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -66,11 +67,13 @@ class YarnContact {
 
  private:
   void search(const model::State& state);
-  [[nodiscard]] std::vector<ElementPair> search_all(const std::vector<char>& is_due) const;
+  [[nodiscard]] std::vector<ElementPair> search_all(const model::VectorArray& positions,
+                                                    const std::vector<char>& is_due) const;
+  void check_crossings(const model::VectorArray& positions);
   void look();
 
   YarnElements elements_;
-  ContactElements pieces_;
+  std::shared_ptr<const ContactElements> pieces_;  ///< shared with the watch over crossings
   Centreline centreline_;
   ContactLaw law_;
   double skin_ = 0;  ///< [mm]

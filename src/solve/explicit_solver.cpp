@@ -49,6 +49,7 @@ ExplicitSolver::ExplicitSolver(const model::Model& model, const ExplicitSettings
   const double lightest = *std::min_element(masses_.felt().begin(), masses_.felt().end());
   first_step_ = stable_step_for(kExpectedContacts * 2 * model.contact_stiffness / (2 * lightest));
   step_in_use_ = first_step_;
+  elements_.forget_set_up();
 }
 
 /// Squares of frequencies add up: the highest of beams and contacts together is at most the sum of both bounds. Bulk

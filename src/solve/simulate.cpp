@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/freed_memory.h"
 #include "model/places.h"
 #include "solve/checkpoint.h"
 #include "solve/constants.h"
@@ -109,6 +110,7 @@ class Run {
       seconds_before_ = outcome_.wall_seconds;
     }
     outcome_.threads = threads_;
+    base::hand_back_freed_memory();
     for (; progress_.next_report < events_.size(); ++progress_.next_report) {
       const Event& event = events_[progress_.next_report];
       if (!advance_to(event.strain)) {

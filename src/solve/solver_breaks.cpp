@@ -69,8 +69,8 @@ void ExplicitSolver::take_out(std::size_t element) {
   nonlinear_.remove(element);
   folds_.remove(element);
   ties_.remove(element);
-  for (auto* stiffness : {&elements_.axial, &elements_.stiffest, &elements_.shear, &elements_.torsion,
-                          &elements_.bending, &elements_.viscosity}) {
+  for (auto* stiffness :
+       {&elements_.axial, &elements_.shear, &elements_.torsion, &elements_.bending, &elements_.viscosity}) {
     (*stiffness)[element] = 0;
   }
 }

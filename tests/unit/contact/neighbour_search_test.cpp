@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <numbers>
 #include <random>
@@ -122,6 +123,51 @@ TEST(NeighbourSearch, GivenCurvedElementsThatAreDue_ThenNoNearPairOfPiecesIsMiss
     }
   }
   EXPECT_GT(n_near, 100);
+}
+
+/// Straight yarns of elements of 0.4 mm, 0.4 mm apart, in two layers across each other, turned in space.
+std::vector<std::vector<Eigen::Vector3d>> weave(int n_yarns, double turn) {
+  const Eigen::AngleAxisd rotation(turn, Eigen::Vector3d(2, 3, 1).normalized());
+  std::vector<std::vector<Eigen::Vector3d>> yarns;
+  for (int y = 0; y < n_yarns; ++y) {
+    const double aside = 0.4 * (y + 0.5);
+    const double end = 0.4 * n_yarns;
+    yarns.push_back(test::straight({0, aside, 0}, {end, aside, 0}, n_yarns));
+    yarns.push_back(test::straight({aside, 0, 0.15}, {aside, end, 0.15}, n_yarns));
+  }
+  for (std::vector<Eigen::Vector3d>& yarn : yarns) {
+    for (Eigen::Vector3d& point : yarn) point = rotation * point;
+  }
+  return yarns;
+}
+
+double comparisons_per_element(const std::vector<std::vector<Eigen::Vector3d>>& yarns) {
+  model::Model model = test::yarns_through(yarns, test::section(19, 6, 0.017, 0.012, 1e-11, 0.12));
+  model.centreline = model::Centreline::chords;
+  SearchCost cost;
+  const auto pairs = find_neighbours(make_contact_elements(model), test::state_of(model).position,
+                                     std::vector<double>(model.nodes.size(), 0.0), 0.05, {}, &cost);
+  EXPECT_GE(4 * pairs.size(), static_cast<std::size_t>(model.n_elements()));  // it was no search of nothing
+  return static_cast<double>(cost.compared) / model.n_elements();
+}
+
+TEST(NeighbourSearch, GivenFabricsUpToAHundredTimesLarger_ThenAnElementIsComparedAsOften) {
+  const double small = comparisons_per_element(weave(12, 0));
+  EXPECT_LT(comparisons_per_element(weave(40, 0)), 1.25 * small);
+  EXPECT_LT(comparisons_per_element(weave(120, 0)), 1.25 * small);
+}
+
+TEST(NeighbourSearch, GivenAFabricThatLiesAslantInSpace_ThenAnElementIsComparedAsOften) {
+  // The box around it holds hundreds of times as many cells as the fabric; those around an element change with the
+  // turn.
+  EXPECT_LT(comparisons_per_element(weave(120, 0.7)), 1.5 * comparisons_per_element(weave(120, 0)));
+}
+
+TEST(NeighbourSearch, GivenAYarnOfAFabricFlungFarAway_ThenAnElementIsComparedAsOften) {
+  std::vector<std::vector<Eigen::Vector3d>> yarns = weave(40, 0);
+  const double before = comparisons_per_element(yarns);
+  for (Eigen::Vector3d& point : yarns.front()) point += Eigen::Vector3d(1e6, -1e6, 1e6);
+  EXPECT_LE(comparisons_per_element(yarns), before);
 }
 
 TEST(NeighbourSearch, GivenOneYarnFlungFarAway_ThenTheGridDoesNotGrowWithTheDistance) {

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <functional>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -25,7 +26,9 @@ using Motion = std::function<Eigen::Vector3d(std::size_t yarn, const Eigen::Vect
 class WatchedYarns {
  public:
   explicit WatchedYarns(const std::vector<std::vector<Eigen::Vector3d>>& yarns)
-      : model_(chords_through(yarns)), elements_(make_contact_elements(model_)), watch_(elements_) {
+      : model_(chords_through(yarns)),
+        elements_(make_contact_elements(model_)),
+        watch_(std::make_shared<const ContactElements>(elements_)) {
     position_ = test::state_of(model_).position;
     all_ = look();
   }
@@ -63,7 +66,8 @@ class WatchedYarns {
 
   CrossingReport look() {
     const std::vector<double> no_bulge(elements_.n_nodes(), 0.0);
-    return watch_.update(position_, find_neighbours(elements_, position_, no_bulge, 0.4 * kDiameter));
+    const auto pairs = find_neighbours(elements_, position_, no_bulge, 0.4 * kDiameter);
+    return watch_.update(position_, pairs, 1.4 * kDiameter);
   }
 
   model::Model model_;
