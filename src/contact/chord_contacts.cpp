@@ -59,10 +59,9 @@ std::size_t n_shares(std::size_t n) {
 /// Calls work(share, begin, end) for each share of n, on the threads of a team.
 template <typename Work>
 void for_shares(const base::ThreadTeam& team, std::size_t n, const Work& work) {
-  team.run([&](std::size_t part) {
-    for (std::size_t share = part; share < n_shares(n); share += team.size()) {
+  team.for_ranges(n_shares(n), 1, [&](std::size_t from, std::size_t to) {
+    for (std::size_t share = from; share < to; ++share)
       work(share, share * kAtOnce, std::min((share + 1) * kAtOnce, n));
-    }
   });
 }
 
@@ -181,12 +180,14 @@ ContactStep ChordForces::add(const StepOfContacts& step, const base::ThreadTeam&
   on_elements_.resize(2 * n);
   done_.assign(n_shares(n), {});
   for_shares(team, n, [&](std::size_t share, std::size_t begin, std::size_t end) {
+    ContactStep done;
     for (std::size_t i = begin; i < end; ++i) {
       ContactPoint& point = contacts_[i].point;
-      const Vector3 force = force_of(step, point, done_[share]);
+      const Vector3 force = force_of(step, point, done);
       on_elements_[2 * i] = load_on_chord(point.second, force);
       on_elements_[2 * i + 1] = load_on_chord(point.first, -1.0 * force);
     }
+    done_[share] = done;
   });
   team.for_ranges(loads.force.size(), base::kBlock, [&](std::size_t begin, std::size_t end) {
     for (const ElementLoad& load : on_elements_) add_within(load, begin, end, loads);

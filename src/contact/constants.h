@@ -69,6 +69,9 @@ inline constexpr double kLookAtPairAgain = 0.11;
 /// looks, at more pairs each.
 inline constexpr double kLookEarly = 0.05;
 
+/// Fewest pairs of pieces that a thread looks at [-]; about ten microseconds of work.
+inline constexpr std::size_t kPairsAtOnce = 8;
+
 /// Largest turn of a piece of the smooth centreline in the stress-free yarn [rad]. Elements that turn by more are cut
 /// for the contact: two pieces that hardly bend come closest in one place. Smaller: more pieces, more pairs to look at.
 inline constexpr double kPieceTurn = 0.25;

@@ -120,11 +120,11 @@ Segment CrossingWatch::counted_segment(std::int32_t piece, const model::VectorAr
 }
 
 CrossingReport CrossingWatch::update(const model::VectorArray& position, const std::vector<ElementPair>& pairs,
-                                     double motion) {
+                                     double motion, const base::ThreadTeam& team) {
   CrossingReport report;
   report.lost = losses(position);
   report.ravelled = ends_.update(position, pairs);
-  remember(position, pairs, motion + length(offset_));
+  remember(position, pairs, motion + length(offset_), team);
   return report;
 }
 
@@ -140,12 +140,21 @@ std::vector<CrossingLoss> CrossingWatch::losses(const model::VectorArray& positi
   return losses_of(std::move(found));
 }
 
-void CrossingWatch::remember(const model::VectorArray& position, const std::vector<ElementPair>& pairs, double reach) {
+void CrossingWatch::remember(const model::VectorArray& position, const std::vector<ElementPair>& pairs, double reach,
+                             const base::ThreadTeam& team) {
+  constexpr std::size_t kAtOnce = 256;
+  std::vector<double> distances(pairs.size());
+  team.for_ranges(pairs.size(), kAtOnce, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t p = begin; p < end; ++p) {
+      distances[p] = meeting(segment(pairs[p].first, position), segment(pairs[p].second, position)).distance;
+    }
+  });
   near_.clear();
-  for (const ElementPair pair : pairs) {
-    const double distance = meeting(segment(pair.first, position), segment(pair.second, position)).distance;
-    if (distance > reach || !counted_part(pair.first).is_any() || !counted_part(pair.second).is_any()) continue;
-    near_.push_back({pair, distance, counted_segment(pair.first, position), counted_segment(pair.second, position)});
+  for (std::size_t p = 0; p < pairs.size(); ++p) {
+    const ElementPair pair = pairs[p];
+    if (distances[p] > reach || !counted_part(pair.first).is_any() || !counted_part(pair.second).is_any()) continue;
+    near_.push_back(
+        {pair, distances[p], counted_segment(pair.first, position), counted_segment(pair.second, position)});
   }
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/left_out.h"
+#include "base/thread_team.h"
 #include "contact/contact_elements.h"
 #include "contact/gauss_integral.h"
 #include "contact/neighbour_search.h"
@@ -52,7 +53,8 @@ class CrossingWatch {
   /// \param pairs all pairs of pieces that may meet before the next call, and those of a crossing, nearer than about
   /// 1.4 D (find_neighbours), for the yarn ends
   /// \param motion that two pieces make against each other before the next call at most [mm]
-  CrossingReport update(const model::VectorArray& position, const std::vector<ElementPair>& pairs, double motion);
+  CrossingReport update(const model::VectorArray& position, const std::vector<ElementPair>& pairs, double motion,
+                        const base::ThreadTeam& team = base::ThreadTeam(1));
 
   template <class Archive>
   void serialize(Archive& archive) {
@@ -81,7 +83,8 @@ class CrossingWatch {
   [[nodiscard]] CountedPart counted_part(std::int32_t piece) const;
   [[nodiscard]] Segment counted_segment(std::int32_t piece, const model::VectorArray& position) const;
   [[nodiscard]] std::vector<CrossingLoss> losses(const model::VectorArray& position) const;
-  void remember(const model::VectorArray& position, const std::vector<ElementPair>& pairs, double reach);
+  void remember(const model::VectorArray& position, const std::vector<ElementPair>& pairs, double reach,
+                const base::ThreadTeam& team);
 
   std::shared_ptr<const ContactElements> elements_;
   std::vector<ArcWindow> counted_;  ///< one entry per yarn

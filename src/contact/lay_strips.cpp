@@ -220,16 +220,17 @@ class Overlaps {
 
 void lay_strips(const YarnElements& elements, const ContactElements& pieces, const Centreline& line,
                 const LookedAt& looked_at, const CountedElsewhere& is_counted, ContactMemory& memory,
-                FollowedContacts& contacts) {
+                const base::ThreadTeam& team, FollowedContacts& contacts) {
   Overlaps overlaps(elements, pieces, contacts.overlaps);
-  TouchFinder finder(elements, pieces, line);
-  PairTouches found;
-  for (std::size_t p = 0; p < looked_at.pairs.size(); ++p) {
-    const ElementPair pair = looked_at.pairs[p];
-    found.touches.clear();
-    if (looked_at.may_touch[p] != 0) finder.find(pair, overlaps.is_on_second(pair), found);
-    overlaps.replace(pair, found);
-  }
+  std::vector<PairTouches> found(looked_at.pairs.size());
+  team.for_ranges(found.size(), kPairsAtOnce, [&](std::size_t begin, std::size_t end) {
+    TouchFinder finder(elements, pieces, line);
+    for (std::size_t p = begin; p < end; ++p) {
+      const ElementPair pair = looked_at.pairs[p];
+      if (looked_at.may_touch[p] != 0) finder.find(pair, overlaps.is_on_second(pair), found[p]);
+    }
+  });
+  for (std::size_t p = 0; p < found.size(); ++p) overlaps.replace(looked_at.pairs[p], found[p]);
   for (const CrossingReach& reach : looked_at.changed_reach) overlaps.mark(reach);
   overlaps.lay_anew(is_counted, memory);
 }

@@ -3,6 +3,7 @@
 #include <functional>
 #include <vector>
 
+#include "base/thread_team.h"
 #include "contact/centreline.h"
 #include "contact/contact_elements.h"
 #include "contact/contact_memory.h"
@@ -26,6 +27,6 @@ struct LookedAt {
 /// its reach. A strip that lay there already keeps its memory, a new one takes that of the nearest contact before.
 void lay_strips(const YarnElements& elements, const ContactElements& pieces, const Centreline& line,
                 const LookedAt& looked_at, const CountedElsewhere& is_counted, ContactMemory& memory,
-                FollowedContacts& contacts);
+                const base::ThreadTeam& team, FollowedContacts& contacts);
 
 }  // namespace knitmech::contact

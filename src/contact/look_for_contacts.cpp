@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -47,6 +48,12 @@ bool is_of_yarn(const ContactElements& pieces, std::int32_t piece, double place,
   return true;
 }
 
+/// Where two yarns come closest.
+struct ClosestPlaces {
+  YarnPlace first, second;
+  double gap;  ///< [mm]
+};
+
 class Look {
  public:
   Look(const YarnElements& elements, const ContactElements& pieces, const Centreline& line, const ContactMemory& memory,
@@ -61,8 +68,15 @@ class Look {
     for (const Crossing& crossing : contacts.crossings) crossings_on_.add(crossing.first.element);
   }
 
-  /// Looks at a pair for the places where it comes closest. \return motion of both yarns until the next look [mm]
-  double at(ElementPair pair) {
+  /// What a pair of pieces looks like.
+  struct PairView {
+    double sleep = 0;                        ///< motion of both yarns until the next look [mm]
+    bool may_touch = false;                  ///< soon
+    std::optional<ClosestPlaces> closest{};  ///< of the two yarns, where there is a distinct one
+  };
+
+  /// Looks at a pair for the places where it comes closest. Changes nothing.
+  [[nodiscard]] PairView view(ElementPair pair) const {
     const Curve first = line_.piece_curve(pieces_, pair.first);
     const Curve second = line_.piece_curve(pieces_, pair.second);
     const double radii = radius(pair.first) + radius(pair.second);
@@ -71,21 +85,26 @@ class Look {
     const Vector3 along_second = second.end - second.start;
     const ClosestPoints chords = closest_points(first.start, along_first, second.start, along_second);
     const Vector3 apart = second.start + chords.t * along_second - first.start - chords.s * along_first;
-    looked_at_.pairs.push_back(pair);
-    looked_at_.may_touch.push_back(0);
     const double least = length(apart) - bulge(first) - bulge(second) - radii;
-    if (least > followed) return least;
+    if (least > followed) return {.sleep = least};
 
     // Without a distinct closest place, what Newton's method stopped at says nothing about the rest of the pieces.
     const CurveApproach at = closest_on_curves(first, second, chords.s, chords.t);
     const double gap = length(at.between) - radii;
-    if (at.is_minimum && gap > followed) return gap;
+    if (at.is_minimum && gap > followed) return {.sleep = gap};
+    PairView view{.sleep = kLookAtPairAgain * radii, .may_touch = true};
     if (at.is_minimum && is_of_yarn(pieces_, pair.first, at.s, at.slope_s, dot(at.first_slope, at.first_slope)) &&
         is_of_yarn(pieces_, pair.second, at.t, at.slope_t, dot(at.second_slope, at.second_slope))) {
-      add_crossing(place(pair.first, at.s), place(pair.second, at.t), gap);
+      view.closest = ClosestPlaces{place(pair.first, at.s), place(pair.second, at.t), gap};
     }
-    looked_at_.may_touch.back() = 1;
-    return kLookAtPairAgain * radii;
+    return view;
+  }
+
+  /// Takes over what a pair looks like.
+  void take(ElementPair pair, const PairView& view) {
+    looked_at_.pairs.push_back(pair);
+    looked_at_.may_touch.push_back(view.may_touch ? 1 : 0);
+    if (view.closest) add_crossing(view.closest->first, view.closest->second, view.closest->gap);
   }
 
   /// Notes crossings that have changed their reach so much that strips around them have to be laid anew.
@@ -264,6 +283,9 @@ std::vector<Crossing> drop(const YarnElements& elements, std::vector<Crossing>& 
     if (stays) kept_on.add(crossing.first.element);
     (stays ? kept : dropped).push_back(crossing);
   }
+  // In the order of the yarns, so that those that follow each other need the same nodes.
+  std::stable_sort(kept.begin(), kept.end(),
+                   [](const Crossing& a, const Crossing& b) { return a.first.element < b.first.element; });
   crossings = std::move(kept);
   return dropped;
 }
@@ -271,19 +293,28 @@ std::vector<Crossing> drop(const YarnElements& elements, std::vector<Crossing>& 
 }  // namespace
 
 void look_for_contacts(const YarnElements& elements, const ContactElements& pieces, const Centreline& line,
-                       Motion& motion, PairWatch& watch, FollowedContacts& contacts) {
+                       Motion& motion, PairWatch& watch, const base::ThreadTeam& team, FollowedContacts& contacts) {
   rouse(elements, line, contacts.crossings);
   ContactMemory memory(elements, pieces, contacts);
   const std::vector<Crossing> dropped = drop(elements, contacts.crossings);
   Look look(elements, pieces, line, memory, contacts);
   for (const Crossing& crossing : dropped) look.dropped(crossing);
-  watch.look_at_all(pieces, kLookEarly * 2 * pieces.largest_radius, motion,
-                    [&](ElementPair pair) { return look.at(pair); });
+  std::vector<std::size_t> due;
+  watch.find_due(pieces, kLookEarly * 2 * pieces.largest_radius, motion, due);
+  std::vector<Look::PairView> views(due.size());
+  team.for_ranges(due.size(), kPairsAtOnce, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) views[i] = look.view(watch.pairs()[due[i]]);
+  });
+  for (std::size_t i = 0; i < due.size(); ++i) {
+    look.take(watch.pairs()[due[i]], views[i]);
+    watch.let_sleep(pieces, motion, due[i], views[i].sleep);
+  }
+  watch.bound_elements(pieces, motion);
   look.leave_doubles();
   look.find_changed_reach();
   lay_strips(
       elements, pieces, line, look.looked_at(),
-      [&](YarnPlace first, YarnPlace second) { return look.is_counted(first, second); }, memory, contacts);
+      [&](YarnPlace first, YarnPlace second) { return look.is_counted(first, second); }, memory, team, contacts);
   contacts.asks_for_look = false;
 }
 

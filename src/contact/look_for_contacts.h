@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/thread_team.h"
 #include "contact/centreline.h"
 #include "contact/followed_contacts.h"
 #include "contact/pair_watch.h"
@@ -16,6 +17,6 @@ namespace knitmech::contact {
 /// How an overlap is counted, about its closest places or by strips, is decided here and stays until the next look: a
 /// share that followed the overlap in every step would be a force without an energy, and heat the yarns up.
 void look_for_contacts(const YarnElements& elements, const ContactElements& pieces, const Centreline& line,
-                       Motion& motion, PairWatch& watch, FollowedContacts& contacts);
+                       Motion& motion, PairWatch& watch, const base::ThreadTeam& team, FollowedContacts& contacts);
 
 }  // namespace knitmech::contact

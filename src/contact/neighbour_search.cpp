@@ -6,7 +6,10 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+#include <numeric>
+#include <utility>
 
+#include "base/blocks.h"
 #include "base/segment_distance.h"
 #include "contact/constants.h"
 
@@ -120,16 +123,13 @@ bool too_near_along_yarn(const ContactElements& elements, std::size_t first, std
 
 std::vector<ElementPair> find_neighbours(const ContactElements& elements, const model::VectorArray& position,
                                          const std::vector<double>& bulge, double skin, const std::vector<char>& is_due,
-                                         SearchCost* cost) {
+                                         SearchCost* cost, const base::ThreadTeam& team) {
   const double largest_bulge = *std::max_element(bulge.begin(), bulge.end());
   const Grid grid(elements, position, 2 * elements.largest_radius + skin + 2 * largest_bulge);
   const auto m = static_cast<std::size_t>(elements.pieces_per_element);
   const auto bulge_of = [&](std::size_t piece) { return bulge[piece / m]; };
   const auto due = [&](std::size_t element) { return is_due.empty() || is_due[element] != 0; };
-  std::vector<ElementPair> pairs;
-  std::int64_t compared = 0;
-  for (std::size_t a = 0; a < elements.n_nodes(); ++a) {
-    if (elements.exists[a] == 0 || !due(a)) continue;
+  const auto search = [&](std::size_t a, std::vector<ElementPair>& pairs, std::int64_t& compared) {
     grid.around(a, [&](std::size_t b) {
       if (b < a && due(b)) return;  // found from there
       ++compared;
@@ -139,9 +139,21 @@ std::vector<ElementPair> find_neighbours(const ContactElements& elements, const 
       if (!within_reach(position, first, second, reach)) return;
       pairs.push_back({static_cast<std::int32_t>(first), static_cast<std::int32_t>(second)});
     });
+  };
+  std::vector<std::vector<ElementPair>> found(team.size());
+  std::vector<std::int64_t> compared(team.size(), 0);
+  team.run([&](std::size_t part) {
+    const auto range = team.range_of(part, elements.n_nodes(), base::kBlock);
+    for (std::size_t a = range.begin; a < range.end; ++a) {
+      if (elements.exists[a] != 0 && due(a)) search(a, found[part], compared[part]);
+    }
+  });
+  std::vector<ElementPair> pairs = std::move(found.front());
+  for (std::size_t part = 1; part < found.size(); ++part) {
+    pairs.insert(pairs.end(), found[part].begin(), found[part].end());
   }
   std::sort(pairs.begin(), pairs.end());
-  if (cost != nullptr) cost->compared = compared;
+  if (cost != nullptr) cost->compared = std::accumulate(compared.begin(), compared.end(), std::int64_t{0});
   return pairs;
 }
 

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/thread_team.h"
 #include "contact/contact_elements.h"
 #include "model/state.h"
 
@@ -42,8 +43,8 @@ struct SearchCost {
 [[nodiscard]] std::vector<ElementPair> find_neighbours(const ContactElements& elements,
                                                        const model::VectorArray& position,
                                                        const std::vector<double>& bulge, double skin,
-                                                       const std::vector<char>& is_due = {},
-                                                       SearchCost* cost = nullptr);
+                                                       const std::vector<char>& is_due = {}, SearchCost* cost = nullptr,
+                                                       const base::ThreadTeam& team = base::ThreadTeam(1));
 
 /// Whether two elements of one yarn are so near along the arc that they cannot touch.
 [[nodiscard]] bool too_near_along_yarn(const ContactElements& elements, std::size_t first, std::size_t second);

@@ -28,10 +28,28 @@ void PairWatch::renew(const std::vector<char>& is_due, const std::vector<Element
     if (is_known) ++old;
   }
   keep_until({std::numeric_limits<std::int32_t>::max(), 0});
-  pairs.shrink_to_fit();
-  wakes.shrink_to_fit();
+  if (4 * pairs.capacity() > 5 * pairs.size()) {
+    pairs.shrink_to_fit();
+    wakes.shrink_to_fit();
+  }
   pairs_ = std::move(pairs);
   wakes_ = std::move(wakes);
+}
+
+void PairWatch::find_due(const ContactElements& pieces, double early, const Motion& motion,
+                         std::vector<std::size_t>& due) const {
+  due.clear();
+  for (std::size_t p = 0; p < pairs_.size(); ++p) {
+    if (!(motion_of(pieces, motion, pairs_[p]) + early < wakes_[p])) due.push_back(p);
+  }
+}
+
+void PairWatch::bound_elements(const ContactElements& pieces, Motion& motion) const {
+  for (std::size_t p = 0; p < pairs_.size(); ++p) {
+    motion.bound(static_cast<std::size_t>(pieces.element_of(pairs_[p].first)),
+                 static_cast<std::size_t>(pieces.element_of(pairs_[p].second)),
+                 wakes_[p] - motion_of(pieces, motion, pairs_[p]));
+  }
 }
 
 }  // namespace knitmech::contact

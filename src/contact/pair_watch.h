@@ -21,19 +21,26 @@ class PairWatch {
   void renew(const std::vector<char>& is_due, const std::vector<ElementPair>& found);
   [[nodiscard]] const std::vector<ElementPair>& pairs() const { return pairs_; }
 
-  /// Calls look(pair) for every pair that is awake or nearly; it returns a length by which the yarns may come nearer to
-  /// each other until the pair has to be looked at again [mm]. Bounds the motion of the elements by what is left to
-  /// their pairs.
+  /// Numbers of the pairs that are awake or nearly, ascending. Replaces `due`.
   /// \param early length that a pair must still have left to sleep on [mm]
+  void find_due(const ContactElements& pieces, double early, const Motion& motion, std::vector<std::size_t>& due) const;
+
+  /// Lets a pair sleep until its yarns have come nearer to each other by a length from now on [mm].
+  void let_sleep(const ContactElements& pieces, const Motion& motion, std::size_t pair, double length) {
+    wakes_[pair] = motion_of(pieces, motion, pairs_[pair]) + length;
+  }
+
+  /// Bounds the motion of the elements by what is left to their pairs.
+  void bound_elements(const ContactElements& pieces, Motion& motion) const;
+
+  /// Calls look(pair) for every pair that is awake or nearly; it returns a length as for let_sleep(). Then bounds the
+  /// elements.
   template <typename Look>
   void look_at_all(const ContactElements& pieces, double early, Motion& motion, const Look& look) {
-    for (std::size_t p = 0; p < pairs_.size(); ++p) {
-      const auto first = static_cast<std::size_t>(pieces.element_of(pairs_[p].first));
-      const auto second = static_cast<std::size_t>(pieces.element_of(pairs_[p].second));
-      const double moved = motion.of(first) + motion.of(second);
-      if (!(moved + early < wakes_[p])) wakes_[p] = moved + look(pairs_[p]);
-      motion.bound(first, second, wakes_[p] - moved);
-    }
+    std::vector<std::size_t> due;
+    find_due(pieces, early, motion, due);
+    for (const std::size_t pair : due) let_sleep(pieces, motion, pair, look(pairs_[pair]));
+    bound_elements(pieces, motion);
   }
 
   template <class Archive>
@@ -42,6 +49,11 @@ class PairWatch {
   }
 
  private:
+  [[nodiscard]] static double motion_of(const ContactElements& pieces, const Motion& motion, ElementPair pair) {
+    return motion.of(static_cast<std::size_t>(pieces.element_of(pair.first))) +
+           motion.of(static_cast<std::size_t>(pieces.element_of(pair.second)));
+  }
+
   std::vector<ElementPair> pairs_;
   std::vector<double> wakes_;  ///< motion of both elements since the search at which a pair wakes [mm]
 };

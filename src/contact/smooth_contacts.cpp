@@ -246,6 +246,8 @@ void SmoothForces::evaluate(const StepOfContacts& step, std::vector<Crossing>& c
   }
   flush(step, crossings, work, done);
   for (std::size_t i = begin; i < end; ++i) {
+    crossing_elements_[2 * i] = on_crossings_[2 * i].element;
+    crossing_elements_[2 * i + 1] = on_crossings_[2 * i + 1].element;
     done.largest_penetration = std::max(done.largest_penetration, crossings[i].now.penetration);
     if (crossings[i].is_short && has_slid_far(step, crossings[i])) done.asks_for_look = true;
   }
@@ -256,28 +258,36 @@ ContactStep SmoothForces::add(const StepOfContacts& step, const ContactElements&
   const std::size_t n_crossings = contacts.crossings.size();
   const std::size_t n_overlaps = contacts.overlaps.size();
   const std::size_t crossing_shares = (n_crossings + kCrossingsAtOnce - 1) / kCrossingsAtOnce;
-  const std::size_t shares = crossing_shares + (n_overlaps + kOverlapsAtOnce - 1) / kOverlapsAtOnce;
+  const std::size_t overlap_shares = (n_overlaps + kOverlapsAtOnce - 1) / kOverlapsAtOnce;
   on_crossings_.resize(2 * n_crossings);
-  done_.assign(shares, {});
+  crossing_elements_.resize(2 * n_crossings);
+  done_.assign(crossing_shares + overlap_shares, {});
   if (works_.size() < team.size()) works_.resize(team.size());
-  // In turns, since contacts that lie side by side are often all busy or all asleep.
+  // A thread has contacts that follow each other, most of them on the nodes that are its own; what it adds up it keeps
+  // to itself until the end of a share, as threads that write side by side wait for each other.
   team.run([&](std::size_t part) {
-    for (std::size_t share = part; share < shares; share += team.size()) {
-      if (share < crossing_shares) {
-        const std::size_t begin = share * kCrossingsAtOnce;
-        evaluate(step, contacts.crossings, begin, std::min(begin + kCrossingsAtOnce, n_crossings), works_[part],
-                 done_[share]);
-        continue;
-      }
-      const std::size_t begin = (share - crossing_shares) * kOverlapsAtOnce;
+    const auto crossing_range = team.range_of(part, crossing_shares, 1);
+    for (std::size_t share = crossing_range.begin; share < crossing_range.end; ++share) {
+      ContactStep done;
+      const std::size_t begin = share * kCrossingsAtOnce;
+      evaluate(step, contacts.crossings, begin, std::min(begin + kCrossingsAtOnce, n_crossings), works_[part], done);
+      done_[share] = done;
+    }
+    const auto overlap_range = team.range_of(part, overlap_shares, 1);
+    for (std::size_t share = overlap_range.begin; share < overlap_range.end; ++share) {
+      ContactStep done;
+      const std::size_t begin = share * kOverlapsAtOnce;
       for (std::size_t i = begin; i < std::min(begin + kOverlapsAtOnce, n_overlaps); ++i) {
-        works_[part].overlap.evaluate(step, pieces, contacts.overlaps[i], done_[share]);
+        works_[part].overlap.evaluate(step, pieces, contacts.overlaps[i], done);
       }
+      done_[crossing_shares + share] = done;
     }
   });
   // Every thread has its own nodes, and adds to them in the same order as one alone would.
   team.for_ranges(loads.force.size(), base::kBlock, [&](std::size_t begin, std::size_t end) {
-    for (const ElementLoad& load : on_crossings_) add_within(load, begin, end, loads);
+    for (std::size_t i = 0; i < on_crossings_.size(); ++i) {
+      if (has_nodes_within(crossing_elements_[i], begin, end)) add_within(on_crossings_[i], begin, end, loads);
+    }
     for (const Overlap& overlap : contacts.overlaps) {
       for (const ElementLoad& load : overlap.loads) add_within(load, begin, end, loads);
     }

@@ -29,9 +29,10 @@ class SmoothForces {
                 Work& work, ContactStep& done);
   void flush(const StepOfContacts& step, std::vector<Crossing>& crossings, Work& work, ContactStep& done);
 
-  std::vector<ElementLoad> on_crossings_;  ///< of this step, two for each
-  std::vector<ContactStep> done_;          ///< by the shares of the threads
-  std::vector<Work> works_;                ///< one for each thread
+  std::vector<ElementLoad> on_crossings_;        ///< of this step, two for each
+  std::vector<std::int32_t> crossing_elements_;  ///< on which these are: a short list, quick to go through
+  std::vector<ContactStep> done_;                ///< by the shares of the threads
+  std::vector<Work> works_;                      ///< one for each thread
 };
 
 }  // namespace knitmech::contact

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/blocks.h"
 #include "contact/constants.h"
 #include "contact/frequency_bound.h"
 #include "contact/look_for_contacts.h"
@@ -23,7 +24,7 @@ YarnContact::YarnContact(const model::Model& model)
 
 /// The neighbours of those elements that have moved since they were searched last. A free end that whips about has them
 /// searched often, the fabric behind it seldom.
-void YarnContact::search(const model::State& state) {
+void YarnContact::search(const model::State& state, const base::ThreadTeam& team) {
   std::vector<std::int32_t> due;
   std::vector<char> is_due(pieces_->n_nodes(), 0);
   const auto m = static_cast<std::size_t>(pieces_->pieces_per_element);
@@ -35,31 +36,39 @@ void YarnContact::search(const model::State& state) {
   }
   const model::VectorArray positions = centreline_.piece_positions(*pieces_);
   watch_.renew(is_due, due.size() <= kFewElements ? search_around(due, *pieces_, centreline_, skin_)
-                                                  : search_all(positions, is_due));
+                                                  : search_all(positions, is_due, team));
   common_motion_ = fit_common_motion(state);
   ++searches_;
-  check_crossings(positions);
+  check_crossings(positions, team);
 }
 
-std::vector<ElementPair> YarnContact::search_all(const model::VectorArray& positions,
-                                                 const std::vector<char>& is_due) const {
+std::vector<ElementPair> YarnContact::search_all(const model::VectorArray& positions, const std::vector<char>& is_due,
+                                                 const base::ThreadTeam& team) const {
   std::vector<double> bulges(elements_.n_nodes(), 0.0);
-  for (std::size_t i = 0; i < pieces_->n_nodes(); ++i) {
-    if (!centreline_.is_smooth() || pieces_->exists[i] == 0) continue;
-    const auto piece = static_cast<std::int32_t>(i);
-    double& largest = bulges[static_cast<std::size_t>(pieces_->element_of(piece))];
-    largest = std::max(largest, bulge(centreline_.piece_curve(*pieces_, piece)));
-  }
-  return find_neighbours(*pieces_, positions, bulges, skin_, is_due);
+  const std::int32_t m = pieces_->pieces_per_element;
+  const auto bulge_of = [&](std::size_t element) {
+    double largest = 0;
+    for (std::int32_t k = 0; k < m; ++k) {
+      const std::int32_t piece = static_cast<std::int32_t>(element) * m + k;
+      largest = std::max(largest, bulge(centreline_.piece_curve(*pieces_, piece)));
+    }
+    return largest;
+  };
+  team.for_ranges(bulges.size(), base::kBlock, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      if (centreline_.is_smooth() && elements_.exists[i] != 0) bulges[i] = bulge_of(i);
+    }
+  });
+  return find_neighbours(*pieces_, positions, bulges, skin_, is_due, nullptr, team);
 }
 
-void YarnContact::check_crossings() {
-  check_crossings(centreline_.piece_positions(*pieces_));
+void YarnContact::check_crossings(const base::ThreadTeam& team) {
+  check_crossings(centreline_.piece_positions(*pieces_), team);
 }
 
-void YarnContact::check_crossings(const model::VectorArray& positions) {
+void YarnContact::check_crossings(const model::VectorArray& positions, const base::ThreadTeam& team) {
   const double motion = (2 * kCheckCrossings + kBeyondCheck) * 2 * pieces_->largest_radius;
-  const CrossingReport report = crossing_watch_.update(positions, watch_.pairs(), motion);
+  const CrossingReport report = crossing_watch_.update(positions, watch_.pairs(), motion, team);
   ++crossing_checks_;
   motion_.checked();
   ravelled_.insert(ravelled_.end(), report.ravelled.begin(), report.ravelled.end());
@@ -68,10 +77,10 @@ void YarnContact::check_crossings(const model::VectorArray& positions) {
   lost_ = LostCrossing{pieces_->element_of(loss.first), pieces_->element_of(loss.second), loss.place};
 }
 
-void YarnContact::look() {
+void YarnContact::look(const base::ThreadTeam& team) {
   motion_.set_bounds(0.5 * skin_, kCheckCrossings * 2 * pieces_->largest_radius);
   if (centreline_.is_smooth()) {
-    look_for_contacts(elements_, *pieces_, centreline_, motion_, watch_, followed_);
+    look_for_contacts(elements_, *pieces_, centreline_, motion_, watch_, team, followed_);
   } else {
     look_at_chords(*pieces_, centreline_.node_position(), motion_, watch_, near_);
   }
@@ -84,9 +93,9 @@ void YarnContact::add_forces(const model::State& state, double step, model::Noda
   const double stretch = std::abs(common_motion_.rate) * step;
   motion_.add(centreline_.moved(), stretch * (2 * pieces_->largest_radius + skin_), team);
   if (motion_.has_reached_a_bound() || followed_.asks_for_look) {
-    if (motion_.largest_since_search() >= 0.5 * skin_) search(state);
-    if (motion_.largest_since_check() >= kCheckCrossings * 2 * pieces_->largest_radius) check_crossings();
-    look();
+    if (motion_.largest_since_search() >= 0.5 * skin_) search(state, team);
+    if (motion_.largest_since_check() >= kCheckCrossings * 2 * pieces_->largest_radius) check_crossings(team);
+    look(team);
   }
   const StepOfContacts now{elements_, centreline_, law_, motion_, state, step, density_factor()};
   const ContactStep done = centreline_.is_smooth() ? smooth_forces_.add(now, *pieces_, team, followed_, loads)

@@ -49,7 +49,7 @@ class YarnContact {
   [[nodiscard]] const std::optional<LostCrossing>& lost_crossing() const { return lost_; }
   /// Checks that no yarn has passed through another since the last check, apart from what the contact law sees
   /// (crossing_watch.h). Done besides whenever the neighbours are searched.
-  void check_crossings();
+  void check_crossings(const base::ThreadTeam& team = base::ThreadTeam(1));
   [[nodiscard]] long crossing_checks() const { return crossing_checks_; }
   /// Yarn ends that have slipped out of loops since the start.
   [[nodiscard]] const std::vector<RavelEvent>& ravelled() const { return ravelled_; }
@@ -66,11 +66,12 @@ class YarnContact {
   }
 
  private:
-  void search(const model::State& state);
+  void search(const model::State& state, const base::ThreadTeam& team);
   [[nodiscard]] std::vector<ElementPair> search_all(const model::VectorArray& positions,
-                                                    const std::vector<char>& is_due) const;
-  void check_crossings(const model::VectorArray& positions);
-  void look();
+                                                    const std::vector<char>& is_due,
+                                                    const base::ThreadTeam& team) const;
+  void check_crossings(const model::VectorArray& positions, const base::ThreadTeam& team);
+  void look(const base::ThreadTeam& team);
 
   YarnElements elements_;
   std::shared_ptr<const ContactElements> pieces_;  ///< shared with the watch over crossings
