@@ -4,10 +4,10 @@
 //
 // runs the first steps of cases/reference-9x15.toml at that size and prints one line, tab separated: wales, courses,
 // centreline, elements, set-up [s], 200 steps [s], nanoseconds per element and step, contacts, bytes per element after
-// the set-up, and at most. The masses and the pace are those
-// that a run chooses for itself. Yarns first touch after some ten thousand steps: give as many STEPS, and a small
-// fabric, to see what contacts take. All times are processor time of the program, which other programs disturb less
-// than wall time. A size to a process: memory that an earlier fabric left would be counted with the next.
+// the set-up, and at most. The masses and the pace are those that a run chooses for itself. Yarns first touch after
+// some ten thousand steps: give as many STEPS, and a small fabric, to see what contacts take. All times are processor
+// time of the program, which other programs disturb less than wall time. A size to a process: memory that an earlier
+// fabric left would be counted with the next.
 
 #include <fmt/format.h>
 

@@ -41,9 +41,23 @@ KNITMECH_INLINE bool too_near_along_yarn(const YarnElements& elements, YarnPlace
   return std::abs(arc_of(elements, second) - arc_of(elements, first)) < kSelfContactArc * std::numbers::pi * radii;
 }
 
-KNITMECH_INLINE double motion_of(const StepOfContacts& step, YarnPlace first, YarnPlace second) {
-  return step.motion.of(static_cast<std::size_t>(first.element)) +
-         step.motion.of(static_cast<std::size_t>(second.element));
+/// Of all elements within reach of a place, summed up.
+double motion_around(const StepOfContacts& step, YarnPlace place, double reach) {
+  const auto n = static_cast<std::int32_t>(step.elements.n_nodes()) - 1;
+  const auto each_side =
+      static_cast<std::int32_t>(reach / step.elements.length[static_cast<std::size_t>(place.element)]) + 1;
+  double sum = 0;
+  for (std::int32_t e = std::max(place.element - each_side, 0); e <= std::min(place.element + each_side, n); ++e) {
+    sum += step.motion.of(static_cast<std::size_t>(e));
+  }
+  return sum;
+}
+
+/// A bound of how much nearer to each other the yarns of a crossing have come: its closest place may be anywhere within
+/// its reach by now, on other elements than when it was followed last.
+double motion_of(const StepOfContacts& step, const Crossing& crossing) {
+  return motion_around(step, crossing.first, crossing.first_reach) +
+         motion_around(step, crossing.second, crossing.second_reach);
 }
 
 LostCrossing lost_at(const StepOfContacts& step, YarnPlace first, YarnPlace second) {
@@ -100,6 +114,7 @@ void press(const StepOfContacts& step, PairLoad& pair, const Followed& here, dou
   };
   loads.first = on(here.first, pair.on_first);
   loads.second = on(here.second, pair.on_second);
+  if (pair.tangent - crossing.now.tangent > step.law.stiffness) done.strikes = true;
   set_state(crossing.now, penetration, pair.load, pair.tangent, pair.energy, stick_stiffness);
   done.friction_loss += friction.loss;
 }
@@ -121,7 +136,7 @@ void add_crossing(const StepOfContacts& step, Crossing& crossing, LoadPair loads
   if (crossing.gap >= 0 || !here.is_minimum ||
       too_near_along_yarn(step.elements, here.first, here.second, size.radii)) {
     crossing.now = {};
-    if (here.is_minimum && crossing.gap > 0) crossing.wake = motion_of(step, here.first, here.second) + crossing.gap;
+    if (here.is_minimum && crossing.gap > 0) crossing.wake = motion_of(step, crossing) + crossing.gap;
     return;
   }
   // Squares of the half lengths of the overlap, times the determinant.
@@ -189,6 +204,7 @@ KNITMECH_INLINE void take_over(const StepOfContacts& step, const ContactBatch& b
   crossing.is_minimum = true;
   if (batch.turned_round[lane] != 0 && !done.lost) done.lost = lost_at(step, crossing.first, crossing.second);
   ContactState& now = crossing.now;
+  if (batch.tangent[lane] - now.tangent > step.law.stiffness) done.strikes = true;
   now.stick.normal = batch.normal.at(lane);
   now.stick.elastic_slip = batch.elastic_slip.at(lane);
   now.stick.slid += batch.slid[lane];
@@ -236,7 +252,8 @@ void SmoothForces::evaluate(const StepOfContacts& step, std::vector<Crossing>& c
   for (std::size_t i = begin; i < end; ++i) {
     on_crossings_[2 * i].element = on_crossings_[2 * i + 1].element = ElementLoad::kNone;
     Crossing& crossing = crossings[i];
-    if (!crossing.is_short || motion_of(step, crossing.first, crossing.second) < crossing.wake) continue;
+    if (!crossing.is_short || (crossing.wake > 0 && motion_of(step, crossing) < crossing.wake)) continue;
+    crossing.wake = 0;  // what it was said of other elements, if the places have moved on
     work.waiting[work.batch.n] = i;
     if (!gather(step, crossing.first, crossing.second, stick, crossing.now.stick, work.batch)) {
       add_crossing(step, crossing, {on_crossings_[2 * i], on_crossings_[2 * i + 1]}, done);

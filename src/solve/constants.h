@@ -17,6 +17,10 @@ inline constexpr double kStepReserve = 0.95;
 inline constexpr double kStepGrowth = 1.05;
 inline constexpr int kCalmLooks = 100;
 
+/// Looks after a strike between yarns until the step is what it was before [-]. Fewer: fewer steps, and more changes of
+/// the step.
+inline constexpr int kCalmAfterStrike = 20;
+
 /// Share of the yarn radius that a node may move in one step [-]. With it, no yarn can jump over another between two
 /// looks of the contact.
 inline constexpr double kLargestMove = 0.1;
