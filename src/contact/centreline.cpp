@@ -15,7 +15,7 @@ Vector3 vector(const Eigen::Vector3d& v) {
 }
 
 /// R v, R given by its quaternion w + q.
-KNITMECH_INLINE Vector3 turned(double w, Vector3 q, Vector3 v) {
+KNITMECH_INLINE Vector3 image(double w, Vector3 q, Vector3 v) {
   const Vector3 c = 2.0 * cross(q, v);
   return v + w * c + cross(q, c);
 }
@@ -26,15 +26,21 @@ struct Turning {
   double* __restrict tx, * __restrict ty, * __restrict tz;  ///< now
 };
 
-KNITMECH_INLINE void turn_one(double w, Vector3 q, const Turning& v, std::size_t i) {
-  const Vector3 t = turned(w, q, {v.x[i], v.y[i], v.z[i]});
+/// \return square of its change [mm^2]
+KNITMECH_INLINE double turn_one(double w, Vector3 q, const Turning& v, std::size_t i) {
+  const Vector3 t = image(w, q, {v.x[i], v.y[i], v.z[i]});
+  const Vector3 change{t.x - v.tx[i], t.y - v.ty[i], t.z - v.tz[i]};
   v.tx[i] = t.x;
   v.ty[i] = t.y;
   v.tz[i] = t.z;
+  return dot(change, change);
 }
 
-KNITMECH_VECTORISE void turn_all(const model::RotationArray& rotation, Turning a, Turning b, Turning c,
-                                 std::size_t begin, std::size_t end) {
+/// Adds to the motion of the nodes what the line moves by their turning.
+/// \param reach what it moves per change of a tangent at most [mm]
+KNITMECH_VECTORISE void turn_all(const model::RotationArray& rotation, Turning tangent, Turning bow_after,
+                                 Turning bow_before, double reach, double* __restrict moved,
+                                 double* __restrict turned, std::size_t begin, std::size_t end) {
   const double* w = rotation.w.data();
   const double* qx = rotation.x.data();
   const double* qy = rotation.y.data();
@@ -42,9 +48,11 @@ KNITMECH_VECTORISE void turn_all(const model::RotationArray& rotation, Turning a
 #pragma GCC ivdep
   for (std::size_t i = begin; i < end; ++i) {
     const Vector3 q{qx[i], qy[i], qz[i]};
-    turn_one(w[i], q, a, i);
-    turn_one(w[i], q, b, i);
-    turn_one(w[i], q, c, i);
+    const double turn = turn_one(w[i], q, tangent, i);
+    const double after = turn_one(w[i], q, bow_after, i);
+    const double before = turn_one(w[i], q, bow_before, i);
+    turned[i] = reach * std::sqrt(turn) + 2 * std::sqrt(after > before ? after : before);
+    moved[i] += turned[i];
   }
 }
 
@@ -54,14 +62,13 @@ Turning turning(const model::VectorArray& stress_free, std::size_t from, model::
 }
 
 struct NodeArrays {
-  const double *x, *y, *z, *qw, *qx, *qy, *qz;
+  const double *x, *y, *z;
   double* __restrict x0, * __restrict y0, * __restrict z0;
-  double* __restrict w0, * __restrict qx0, * __restrict qy0, * __restrict qz0;
   double* __restrict moved;
 };
 
 /// Takes over positions. \param shift, stretch displacement along y that is not counted: shift [mm] + stretch [-] y
-KNITMECH_VECTORISE void move_chords(const NodeArrays a, double shift, double stretch, std::size_t begin,
+KNITMECH_VECTORISE void move_nodes(const NodeArrays a, double shift, double stretch, std::size_t begin,
                                     std::size_t end) {
 #pragma GCC ivdep
   for (std::size_t i = begin; i < end; ++i) {
@@ -75,28 +82,6 @@ KNITMECH_VECTORISE void move_chords(const NodeArrays a, double shift, double str
   }
 }
 
-/// Takes over positions and rotations. \param reach what a node moves besides, per change of its quaternion [mm]
-/// \param shift, stretch displacement along y that is not counted: shift [mm] + stretch [-] y
-KNITMECH_VECTORISE void move_nodes(const NodeArrays a, double reach, double shift, double stretch, std::size_t begin,
-                                   std::size_t end) {
-#pragma GCC ivdep
-  for (std::size_t i = begin; i < end; ++i) {
-    const double dx = a.x[i] - a.x0[i];
-    const double dy = a.y[i] - a.y0[i] - shift - stretch * a.y[i];
-    const double dz = a.z[i] - a.z0[i];
-    const double dw = a.qw[i] - a.w0[i];
-    const Vector3 dq{a.qx[i] - a.qx0[i], a.qy[i] - a.qy0[i], a.qz[i] - a.qz0[i]};
-    a.moved[i] = std::sqrt(dx * dx + dy * dy + dz * dz) + reach * std::sqrt(dw * dw + dot(dq, dq));
-    a.x0[i] = a.x[i];
-    a.y0[i] = a.y[i];
-    a.z0[i] = a.z[i];
-    a.w0[i] = a.qw[i];
-    a.qx0[i] = a.qx[i];
-    a.qy0[i] = a.qy[i];
-    a.qz0[i] = a.qz[i];
-  }
-}
-
 }  // namespace
 
 Centreline::Centreline(const model::Model& model)
@@ -107,9 +92,9 @@ Centreline::Centreline(const model::Model& model)
       tangent_(model.nodes.size()),
       bow_after_(model.nodes.size()),
       bow_before_(model.nodes.size()),
-      rotation_(model.nodes.size()),
       node_position_(model.nodes.size()),
-      moved_(model.nodes.size(), 0.0) {
+      moved_(model.nodes.size(), 0.0),
+      turned_(model.nodes.size(), 0.0) {
   if (smooth_) set_stress_free(model);
 }
 
@@ -118,42 +103,33 @@ void Centreline::set_stress_free(const model::Model& model) {
   for (std::size_t i = 0; i < model.nodes.size(); ++i) {
     const double size = length_[i];
     if (size == 0) continue;
-    reach_of_turn_ = std::max(reach_of_turn_, size / 3);
+    longest_third_ = std::max(longest_third_, size / 3);
     if (model.middles.empty()) continue;
     const Curve cubic{vector(model.nodes[i]), vector(model.nodes[i + 1]), size * stress_free_tangent_.at(i),
                       size * stress_free_tangent_.at(i + 1)};
     const Vector3 half = 0.5 * (vector(model.middles[i]) - combine(cubic, hermite(0.5)));
     stress_free_bow_.set(i + 1, half);
-    reach_of_turn_ = std::max(reach_of_turn_, size / 3 + 2 * knitmech::length(half));
+    largest_bow_ = std::max(largest_bow_, 2 * knitmech::length(half));
   }
 }
 
 void Centreline::update(const model::State& state, CommonMotion common, double step, const base::ThreadTeam& team) {
   const model::VectorArray& x = state.position;
-  const model::RotationArray& q = state.rotation;
   const std::size_t n = x.size();
   const NodeArrays nodes{x.x.data(),
                          x.y.data(),
                          x.z.data(),
-                         q.w.data(),
-                         q.x.data(),
-                         q.y.data(),
-                         q.z.data(),
                          node_position_.x.data(),
                          node_position_.y.data(),
                          node_position_.z.data(),
-                         rotation_.w.data(),
-                         rotation_.x.data(),
-                         rotation_.y.data(),
-                         rotation_.z.data(),
                          moved_.data()};
   const double shift = common.start * step;
   const double stretch = common.rate * step;
   team.for_ranges(n, base::kBlock, [&](std::size_t begin, std::size_t end) {
-    if (!smooth_) return move_chords(nodes, shift, stretch, begin, end);
-    move_nodes(nodes, 2 * reach_of_turn_, shift, stretch, begin, end);
-    turn_all(q, turning(stress_free_tangent_, 0, tangent_), turning(stress_free_bow_, 1, bow_after_),
-             turning(stress_free_bow_, 0, bow_before_), begin, end);
+    move_nodes(nodes, shift, stretch, begin, end);
+    if (!smooth_) return;
+    turn_all(state.rotation, turning(stress_free_tangent_, 0, tangent_), turning(stress_free_bow_, 1, bow_after_),
+             turning(stress_free_bow_, 0, bow_before_), longest_third_, moved_.data(), turned_.data(), begin, end);
   });
 }
 

@@ -28,13 +28,14 @@ class Centreline {
 
   /// How far the parts of the line that belong to each node moved in the last update at most, beside the common motion
   /// [mm]: the cubic stays within the hull of its Bezier points, which are the nodes and points a third of an element's
-  /// arc length off them along the tangents; the bows come on top. A vector that turns with a node changes by no more
-  /// than twice its length times the change of the node's quaternion.
+  /// arc length off them along the tangents; the bows come on top. Yarns that spin about themselves do not move.
   [[nodiscard]] const std::vector<double>& moved() const { return moved_; }
+  /// What of it is because the nodes turned [mm].
+  [[nodiscard]] const std::vector<double>& turned() const { return turned_; }
 
   [[nodiscard]] bool is_smooth() const { return smooth_; }
   /// How far the line of an element can be from its chord's nearer end, beyond half the chord's length, at most [mm].
-  [[nodiscard]] double largest_overhang() const { return reach_of_turn_; }
+  [[nodiscard]] double largest_overhang() const { return longest_third_ + largest_bow_; }
   /// Of the nodes [mm].
   [[nodiscard]] const model::VectorArray& node_position() const { return node_position_; }
   /// Of the contact nodes [mm]; the nodes themselves on chords.
@@ -91,8 +92,8 @@ class Centreline {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(base::left_out(smooth_, length_, reach_of_turn_, stress_free_tangent_, stress_free_bow_), tangent_,
-            bow_after_, bow_before_, rotation_, node_position_, moved_);
+    archive(base::left_out(smooth_, length_, longest_third_, largest_bow_, stress_free_tangent_, stress_free_bow_), tangent_,
+            bow_after_, bow_before_, node_position_, moved_, turned_);
   }
 
  private:
@@ -100,15 +101,15 @@ class Centreline {
 
   bool smooth_;
   std::vector<double> length_;  ///< of the elements [mm], along the stress-free yarn, one entry per node
-  double reach_of_turn_ = 0;    ///< [mm], largest distance of a Bezier point from its node, with the bow
+  double longest_third_ = 0;    ///< of an element [mm]: largest distance of a Bezier point from its node
+  double largest_bow_ = 0;      ///< largest distance of the line from its cubic [mm]
   model::VectorArray stress_free_tangent_;
   /// Half the bow of the element before each node, and at the end none: that after node i is entry i + 1 [mm].
   model::VectorArray stress_free_bow_;
   model::VectorArray tangent_;                 ///< at the nodes, turned with them; unit vectors
   model::VectorArray bow_after_, bow_before_;  ///< half the bow of the element after, before a node, turned with it
-  model::RotationArray rotation_;              ///< of the nodes
   model::VectorArray node_position_;           ///< [mm]
-  std::vector<double> moved_;                  ///< [mm], one entry per node
+  std::vector<double> moved_, turned_;         ///< [mm], one entry per node
 };
 
 }  // namespace knitmech::contact

@@ -97,14 +97,14 @@ Vector3 force_of(const StepOfContacts& step, ContactPoint& point, ContactStep& d
 }  // namespace
 
 void look_at_chords(const ContactElements& elements, const model::VectorArray& position, Motion& motion,
-                    PairWatch& watch, std::vector<NearChords>& near) {
+                    PairWatch& watch, const base::ThreadTeam& team, std::vector<NearChords>& near) {
   const std::vector<NearChords> before = std::exchange(near, {});
   auto old = before.cbegin();
   const auto keep_until = [&](ElementPair pair) {
     for (; old != before.cend() && old->pair < pair; ++old) near.push_back(*old);
     if (old != before.cend() && old->pair == pair) ++old;
   };
-  watch.look_at_all(elements, kLookEarly * 2 * elements.largest_radius, motion, [&](ElementPair pair) {
+  const auto look = [&](ElementPair pair) {
     keep_until(pair);
     const auto i = static_cast<std::size_t>(pair.first);
     const auto j = static_cast<std::size_t>(pair.second);
@@ -113,7 +113,8 @@ void look_at_chords(const ContactElements& elements, const model::VectorArray& p
     if (gap > kFollowed * radii) return gap;
     near.push_back({pair});
     return kLookAtPairAgain * radii;
-  });
+  };
+  watch.look_at_all(elements, kLookEarly * 2 * elements.largest_radius, motion, look, team);
   near.insert(near.end(), old, before.cend());
 }
 

@@ -44,7 +44,7 @@ struct NearChords {
 /// Looks at all pairs that are awake, and lists those that are near enough to touch soon (kFollowed in constants.h).
 /// Replaces `near`, ascending.
 void look_at_chords(const ContactElements& elements, const model::VectorArray& position, Motion& motion,
-                    PairWatch& watch, std::vector<NearChords>& near);
+                    PairWatch& watch, const base::ThreadTeam& team, std::vector<NearChords>& near);
 
 /// Finds the contact points of a list of element pairs, on the chords: the closest points of every two chords whose
 /// distance is below the sum of the radii. Replaces `found`; ascending by key; nothing remembered yet.

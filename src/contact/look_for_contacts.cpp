@@ -71,9 +71,18 @@ class Look {
   /// What a pair of pieces looks like.
   struct PairView {
     double sleep = 0;                        ///< motion of both yarns until the next look [mm]
+    bool is_as_before = false;               ///< has not come nearer by so much that anything has to be done
     bool may_touch = false;                  ///< soon
     std::optional<ClosestPlaces> closest{};  ///< of the two yarns, where there is a distinct one
   };
+
+  [[nodiscard]] PairSight sight(const Motion& motion, ElementPair pair, double length) const {
+    const auto a = static_cast<std::size_t>(pieces_.element_of(pair.first));
+    const auto b = static_cast<std::size_t>(pieces_.element_of(pair.second));
+    const model::VectorArray& x = line_.node_position();
+    return {x.at(b) - x.at(a), x.at(a + 1) - x.at(a), x.at(b + 1) - x.at(b), motion.turned(a) + motion.turned(b),
+            length};
+  }
 
   /// Looks at a pair for the places where it comes closest. Changes nothing.
   [[nodiscard]] PairView view(ElementPair pair) const {
@@ -300,16 +309,31 @@ void look_for_contacts(const YarnElements& elements, const ContactElements& piec
   Look look(elements, pieces, line, memory, contacts);
   for (const Crossing& crossing : dropped) look.dropped(crossing);
   std::vector<std::size_t> due;
-  watch.find_due(pieces, kLookEarly * 2 * pieces.largest_radius, motion, due);
+  const double early = kLookEarly * 2 * pieces.largest_radius;
+  watch.find_due(pieces, early, motion, team, due);
   std::vector<Look::PairView> views(due.size());
+  const auto view = [&](std::size_t number) {
+    const ElementPair pair = watch.pairs()[number];
+    if (const PairSight* then = watch.sight_of(number)) {
+      const double left = left_of(*then, look.sight(motion, pair, 0));
+      if (left > early) return Look::PairView{.sleep = left, .is_as_before = true};
+    }
+    return look.view(pair);
+  };
   team.for_ranges(due.size(), kPairsAtOnce, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) views[i] = look.view(watch.pairs()[due[i]]);
+    for (std::size_t i = begin; i < end; ++i) views[i] = view(due[i]);
   });
   for (std::size_t i = 0; i < due.size(); ++i) {
-    look.take(watch.pairs()[due[i]], views[i]);
     watch.let_sleep(pieces, motion, due[i], views[i].sleep);
+    if (views[i].is_as_before) continue;
+    const ElementPair pair = watch.pairs()[due[i]];
+    const bool has_touched = watch.sight_of(due[i]) != nullptr;
+    if (views[i].may_touch || has_touched) {
+      watch.note_sight(due[i], look.sight(motion, pair, views[i].sleep));
+      look.take(pair, views[i]);
+    }
   }
-  watch.bound_elements(pieces, motion);
+  watch.bound_elements(pieces, due, team, motion);
   look.leave_doubles();
   look.find_changed_reach();
   lay_strips(

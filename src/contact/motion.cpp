@@ -12,13 +12,15 @@ namespace knitmech::contact {
 namespace {
 
 /// An element moves by no more than the node that moved more. \return largest motion minus bound [mm]
-KNITMECH_VECTORISE double add_moves(const double* moved, double besides, const double* bound,
-                                    double* __restrict of_element, std::size_t begin, std::size_t end) {
+KNITMECH_VECTORISE double add_moves(const double* moved, const double* turned, double besides, const double* bound,
+                                    double* __restrict of_element, double* __restrict turned_in_all, std::size_t begin,
+                                    std::size_t end) {
   double beyond = std::numeric_limits<double>::lowest();
 #pragma omp simd reduction(max : beyond)
   for (std::size_t i = begin; i < end; ++i) {
     const double all = of_element[i] + (moved[i] > moved[i + 1] ? moved[i] : moved[i + 1]) + besides;
     of_element[i] = all;
+    turned_in_all[i] += turned[i] > turned[i + 1] ? turned[i] : turned[i + 1];
     beyond = beyond > all - bound[i] ? beyond : all - bound[i];
   }
   return beyond;
@@ -54,10 +56,13 @@ CommonMotion fit_common_motion(const model::State& state) {
   return {sum_v / n - rate * sum_y / n, rate};
 }
 
-void Motion::add(const std::vector<double>& moved, double besides, const base::ThreadTeam& team) {
+void Motion::add(const std::vector<double>& moved, const std::vector<double>& turned, double besides,
+                 const base::ThreadTeam& team) {
   std::atomic<bool> has_reached = false;
   team.for_ranges(of_element_.size() - 1, base::kBlock, [&](std::size_t begin, std::size_t end) {
-    if (add_moves(moved.data(), besides, bound_.data(), of_element_.data(), begin, end) >= 0) has_reached = true;
+    const double beyond = add_moves(moved.data(), turned.data(), besides, bound_.data(), of_element_.data(),
+                                    turned_.data(), begin, end);
+    if (beyond >= 0) has_reached = true;
   });
   has_reached_a_bound_ = has_reached;
 }
@@ -68,12 +73,6 @@ double Motion::largest_since_search() const {
 
 double Motion::largest_since_check() const {
   return largest_difference(of_element_, checked_);
-}
-
-void Motion::set_bounds(double since_search, double since_check) {
-  for (std::size_t i = 0; i < bound_.size(); ++i) {
-    bound_[i] = std::min(searched_[i] + since_search, checked_[i] + since_check);
-  }
 }
 
 }  // namespace knitmech::contact

@@ -31,14 +31,24 @@ struct CommonMotion {
 class Motion {
  public:
   explicit Motion(std::size_t n_nodes)
-      : of_element_(n_nodes, 0.0), searched_(n_nodes, -1e300), checked_(n_nodes, 0.0), bound_(n_nodes, 0.0) {}
+      : of_element_(n_nodes, 0.0),
+        turned_(n_nodes, 0.0),
+        searched_(n_nodes, -1e300),
+        checked_(n_nodes, 0.0),
+        bound_(n_nodes, 0.0) {}
 
   /// Adds a step. \param moved how far each node's part of the centreline moved in it, one entry per node [mm]
+  /// \param turned what of it is because the node turned [mm]
   /// \param besides what the common motion may bring two yarns in contact nearer to each other, half of it [mm]
-  void add(const std::vector<double>& moved, double besides, const base::ThreadTeam& team = base::ThreadTeam(1));
+  void add(const std::vector<double>& moved, const std::vector<double>& turned, double besides,
+           const base::ThreadTeam& team = base::ThreadTeam(1));
 
+  /// One less than there are nodes: in between may be some that do not exist, of which the motion means nothing.
+  [[nodiscard]] std::size_t n_elements() const { return of_element_.size() - 1; }
   /// Motion of an element since the start [mm].
   [[nodiscard]] double of(std::size_t element) const { return of_element_[element]; }
+  /// The part of it that is because its nodes turned [mm].
+  [[nodiscard]] double turned(std::size_t element) const { return turned_[element]; }
   /// Since its neighbours were last searched [mm].
   [[nodiscard]] double since_search(std::size_t element) const { return of_element_[element] - searched_[element]; }
   [[nodiscard]] double largest_since_search() const;
@@ -49,23 +59,35 @@ class Motion {
   void searched(std::size_t element) { searched_[element] = of_element_[element]; }
   void checked() { checked_ = of_element_; }
 
-  /// Bounds every element by what it may move since its search and since the check [mm].
-  void set_bounds(double since_search, double since_check);
+  /// What every element may move since its search and since the check [mm].
+  void set_limits(double since_search, double since_check) {
+    since_search_ = since_search;
+    since_check_ = since_check;
+  }
+  /// Leaves an element no bound but these.
+  void unbind(std::size_t element) {
+    bound_[element] = std::min(searched_[element] + since_search_, checked_[element] + since_check_);
+  }
   /// Bounds two elements so that one of them reaches its bound before both together have moved by `more` from now on.
   void bound(std::size_t first, std::size_t second, double more) {
     bound_[first] = std::min(bound_[first], of_element_[first] + 0.5 * more);
     bound_[second] = std::min(bound_[second], of_element_[second] + 0.5 * more);
   }
-  /// Whether an element had reached its bound in the last step.
+  /// Whether an element has no more than a length left up to its bound [mm].
+  [[nodiscard]] bool is_within(double length, std::size_t element) const {
+    return of_element_[element] + length >= bound_[element];
+  }
+  /// Whether any element had reached its bound in the last step.
   [[nodiscard]] bool has_reached_a_bound() const { return has_reached_a_bound_; }
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(of_element_, searched_, checked_, bound_, has_reached_a_bound_);
+    archive(of_element_, turned_, searched_, checked_, bound_, since_search_, since_check_, has_reached_a_bound_);
   }
 
  private:
-  std::vector<double> of_element_, searched_, checked_, bound_;
+  std::vector<double> of_element_, turned_, searched_, checked_, bound_;
+  double since_search_ = 1e300, since_check_ = 1e300;
   bool has_reached_a_bound_ = false;
 };
 

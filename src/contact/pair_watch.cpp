@@ -1,55 +1,144 @@
 #include "contact/pair_watch.h"
 
+#include <algorithm>
 #include <limits>
+#include <numeric>
+
+#include "base/blocks.h"
 
 namespace knitmech::contact {
 
 void PairWatch::renew(const std::vector<char>& is_due, const std::vector<ElementPair>& found) {
   std::vector<ElementPair> pairs;
   std::vector<double> wakes;
+  std::vector<std::uint32_t> sight_of;
+  std::vector<PairSight> sights;
   pairs.reserve(pairs_.size() + found.size());
   wakes.reserve(pairs_.size() + found.size());
-  const auto add = [&](ElementPair pair, double wake) {
+  sight_of.reserve(pairs_.size() + found.size());
+  sights.reserve(sights_.size());
+  const auto add_new = [&](ElementPair pair) {
     pairs.push_back(pair);
-    wakes.push_back(wake);
+    wakes.push_back(std::numeric_limits<double>::lowest());
+    sight_of.push_back(kUnseen);
+  };
+  const auto add_old = [&](std::size_t number) {
+    pairs.push_back(pairs_[number]);
+    wakes.push_back(wakes_[number]);
+    const PairSight* sight = this->sight_of(number);
+    sight_of.push_back(sight == nullptr ? kUnseen : static_cast<std::uint32_t>(sights.size()));
+    if (sight != nullptr) sights.push_back(*sight);
   };
   std::size_t old = 0;
   const auto keep_until = [&](ElementPair pair) {
     for (; old < pairs_.size() && pairs_[old] < pair; ++old) {
       const bool was_searched = is_due[static_cast<std::size_t>(pairs_[old].first)] != 0 ||
                                 is_due[static_cast<std::size_t>(pairs_[old].second)] != 0;
-      if (!was_searched) add(pairs_[old], wakes_[old]);
+      if (!was_searched) add_old(old);
     }
   };
   for (const ElementPair pair : found) {
     keep_until(pair);
     const bool is_known = old < pairs_.size() && pairs_[old] == pair;
-    add(pair, is_known ? wakes_[old] : std::numeric_limits<double>::lowest());
-    if (is_known) ++old;
+    if (is_known) {
+      add_old(old++);
+    } else {
+      add_new(pair);
+    }
   }
   keep_until({std::numeric_limits<std::int32_t>::max(), 0});
   if (4 * pairs.capacity() > 5 * pairs.size()) {
     pairs.shrink_to_fit();
     wakes.shrink_to_fit();
+    sight_of.shrink_to_fit();
   }
   pairs_ = std::move(pairs);
   wakes_ = std::move(wakes);
+  sight_of_ = std::move(sight_of);
+  sights_ = std::move(sights);
+  first_on_.clear();
+  wake_all();
+}
+
+void PairWatch::sort_by_elements(const ContactElements& pieces, std::size_t n_elements) {
+  const auto for_elements_of = [&](ElementPair pair, const auto& call) {
+    const auto a = static_cast<std::size_t>(pieces.element_of(pair.first));
+    const auto b = static_cast<std::size_t>(pieces.element_of(pair.second));
+    call(a);
+    if (b != a) call(b);
+  };
+  first_on_.assign(n_elements + 1, 0);
+  for (const ElementPair pair : pairs_) for_elements_of(pair, [&](std::size_t e) { ++first_on_[e + 1]; });
+  std::partial_sum(first_on_.begin(), first_on_.end(), first_on_.begin());
+  on_element_.resize(first_on_.back());
+  // Each pair takes the first free entry, which moves on; in the end the beginnings are one element too far.
+  for (std::uint32_t p = 0; p < pairs_.size(); ++p) {
+    for_elements_of(pairs_[p], [&](std::size_t e) { on_element_[first_on_[e]++] = p; });
+  }
+  std::copy_backward(first_on_.begin(), first_on_.end() - 1, first_on_.end());
+  first_on_.front() = 0;
 }
 
 void PairWatch::find_due(const ContactElements& pieces, double early, const Motion& motion,
-                         std::vector<std::size_t>& due) const {
+                         const base::ThreadTeam& team, std::vector<std::size_t>& due) {
+  if (first_on_.empty()) sort_by_elements(pieces, motion.n_elements());
+  const auto is_due = [&](std::size_t pair) { return !(left_to(pieces, motion, pair) > early); };
   due.clear();
-  for (std::size_t p = 0; p < pairs_.size(); ++p) {
-    if (!(motion_of(pieces, motion, pairs_[p]) + early < wakes_[p])) due.push_back(p);
+  at_bound_.clear();
+  if (!sees_to_all_) {
+    for (std::size_t e = 0; e < motion.n_elements(); ++e) {
+      if (motion.is_within(0.5 * early, e)) at_bound_.push_back(e);
+    }
+    for (const std::size_t element : at_bound_) {
+      for_pairs_on(element, [&](std::size_t pair) {
+        if (is_due(pair)) due.push_back(pair);
+      });
+    }
+    std::sort(due.begin(), due.end());
+    due.erase(std::unique(due.begin(), due.end()), due.end());
+    return;
+  }
+  found_.resize(team.size());
+  team.run([&](std::size_t part) {
+    const auto range = team.range_of(part, pairs_.size(), base::kBlock);
+    found_[part].clear();
+    for (std::size_t p = range.begin; p < range.end; ++p) {
+      if (is_due(p)) found_[part].push_back(p);
+    }
+  });
+  for (const std::vector<std::size_t>& found : found_) due.insert(due.end(), found.begin(), found.end());
+}
+
+void PairWatch::bound_elements(const ContactElements& pieces, const std::vector<std::size_t>& due,
+                               const base::ThreadTeam& team, Motion& motion) {
+  if (sees_to_all_) {
+    sees_to_all_ = false;
+    bound_all(pieces, team, motion);
+    return;
+  }
+  for (const std::size_t pair : due) {
+    at_bound_.push_back(static_cast<std::size_t>(pieces.element_of(pairs_[pair].first)));
+    at_bound_.push_back(static_cast<std::size_t>(pieces.element_of(pairs_[pair].second)));
+  }
+  std::sort(at_bound_.begin(), at_bound_.end());
+  at_bound_.erase(std::unique(at_bound_.begin(), at_bound_.end()), at_bound_.end());
+  for (const std::size_t element : at_bound_) motion.unbind(element);
+  for (const std::size_t element : at_bound_) {
+    for_pairs_on(element, [&](std::size_t pair) {
+      motion.bound(static_cast<std::size_t>(pieces.element_of(pairs_[pair].first)),
+                   static_cast<std::size_t>(pieces.element_of(pairs_[pair].second)), left_to(pieces, motion, pair));
+    });
   }
 }
 
-void PairWatch::bound_elements(const ContactElements& pieces, Motion& motion) const {
-  for (std::size_t p = 0; p < pairs_.size(); ++p) {
-    motion.bound(static_cast<std::size_t>(pieces.element_of(pairs_[p].first)),
-                 static_cast<std::size_t>(pieces.element_of(pairs_[p].second)),
-                 wakes_[p] - motion_of(pieces, motion, pairs_[p]));
-  }
+/// Every element for itself, so that threads have nothing in common.
+void PairWatch::bound_all(const ContactElements& pieces, const base::ThreadTeam& team, Motion& motion) const {
+  team.for_ranges(motion.n_elements(), base::kBlock, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t e = begin; e < end; ++e) {
+      motion.unbind(e);
+      for_pairs_on(e, [&](std::size_t pair) { motion.bound(e, e, left_to(pieces, motion, pair)); });
+    }
+  });
 }
 
 }  // namespace knitmech::contact

@@ -20,7 +20,9 @@ YarnContact::YarnContact(const model::Model& model)
       law_{model.contact_stiffness, FrictionTable(model)},
       skin_(kSkin * 2 * pieces_->largest_radius),
       motion_(model.nodes.size()),
-      crossing_watch_(pieces_) {}
+      crossing_watch_(pieces_) {
+  motion_.set_limits(0.5 * skin_, kCheckCrossings * 2 * pieces_->largest_radius);
+}
 
 /// The neighbours of those elements that have moved since they were searched last. A free end that whips about has them
 /// searched often, the fabric behind it seldom.
@@ -71,6 +73,7 @@ void YarnContact::check_crossings(const model::VectorArray& positions, const bas
   const CrossingReport report = crossing_watch_.update(positions, watch_.pairs(), motion, team);
   ++crossing_checks_;
   motion_.checked();
+  watch_.wake_all();
   ravelled_.insert(ravelled_.end(), report.ravelled.begin(), report.ravelled.end());
   if (report.lost.empty() || lost_) return;
   const CrossingLoss& loss = report.lost.front();
@@ -78,11 +81,10 @@ void YarnContact::check_crossings(const model::VectorArray& positions, const bas
 }
 
 void YarnContact::look(const base::ThreadTeam& team) {
-  motion_.set_bounds(0.5 * skin_, kCheckCrossings * 2 * pieces_->largest_radius);
   if (centreline_.is_smooth()) {
     look_for_contacts(elements_, *pieces_, centreline_, motion_, watch_, team, followed_);
   } else {
-    look_at_chords(*pieces_, centreline_.node_position(), motion_, watch_, near_);
+    look_at_chords(*pieces_, centreline_.node_position(), motion_, watch_, team, near_);
   }
 }
 
@@ -91,7 +93,7 @@ void YarnContact::add_forces(const model::State& state, double step, model::Noda
   centreline_.update(state, common_motion_, step, team);
   // Two yarns in contact are at most a few radii apart along y; as much of the common stretch is between them.
   const double stretch = std::abs(common_motion_.rate) * step;
-  motion_.add(centreline_.moved(), stretch * (2 * pieces_->largest_radius + skin_), team);
+  motion_.add(centreline_.moved(), centreline_.turned(), stretch * (2 * pieces_->largest_radius + skin_), team);
   if (motion_.has_reached_a_bound() || followed_.asks_for_look) {
     if (motion_.largest_since_search() >= 0.5 * skin_) search(state, team);
     if (motion_.largest_since_check() >= kCheckCrossings * 2 * pieces_->largest_radius) check_crossings(team);

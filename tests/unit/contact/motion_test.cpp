@@ -14,6 +14,11 @@
 namespace knitmech::contact {
 namespace {
 
+/// Moves nodes that do not turn.
+void add(Motion& motion, const std::vector<double>& moved, double besides = 0) {
+  motion.add(moved, std::vector<double>(moved.size(), 0.0), besides);
+}
+
 /// Nodes at random heights, with the velocities along y that a function of the height says.
 template <typename Velocity>
 model::State moving_state(std::mt19937& random, const Velocity& velocity) {
@@ -66,8 +71,8 @@ TEST(CommonMotion, GivenNodesAtOneHeight_ThenItIsTheirMeanVelocity) {
 
 TEST(Motion, GivenSteps_ThenAnElementHasMovedAsItsFasterNodeAndWhatComesBesides) {
   Motion motion(4);
-  motion.add({1, 0, 0, 4}, 0.25);
-  motion.add({0, 2, 0, 0}, 0.5);
+  add(motion, {1, 0, 0, 4}, 0.25);
+  add(motion, {0, 2, 0, 0}, 0.5);
   EXPECT_EQ(motion.of(0), 1.25 + 2.5);
   EXPECT_EQ(motion.of(1), 0.25 + 2.5);
   EXPECT_EQ(motion.of(2), 4.25 + 0.5);
@@ -76,7 +81,7 @@ TEST(Motion, GivenSteps_ThenAnElementHasMovedAsItsFasterNodeAndWhatComesBesides)
 
 TEST(Motion, GivenANewFabric_ThenASearchIsDueAtOnce) {
   Motion motion(3);
-  motion.add({0, 0, 0}, 0);
+  add(motion, {0, 0, 0});
   EXPECT_TRUE(motion.has_reached_a_bound());
   EXPECT_GT(motion.largest_since_search(), 1e100);
 }
@@ -85,9 +90,9 @@ TEST(Motion, GivenASearchOfAnElement_ThenOnlyItsMotionSinceThenBeginsAnew) {
   Motion motion(3);
   motion.searched(0);
   motion.searched(1);
-  motion.add({1, 2, 1}, 0);
+  add(motion, {1, 2, 1});
   motion.searched(1);
-  motion.add({1, 1, 1}, 0);
+  add(motion, {1, 1, 1});
   EXPECT_EQ(motion.since_search(0), 3);
   EXPECT_EQ(motion.since_search(1), 1);
   motion.checked();
@@ -100,10 +105,12 @@ TEST(Motion, GivenABoundForTwoElements_ThenOneOfThemReachesItBeforeBothTogetherH
   std::uniform_real_distribution<double> uniform(0, 1);
   for (int trial = 0; trial < 100; ++trial) {
     Motion motion(4);
-    for (const std::size_t i : {0U, 1U, 2U}) motion.searched(i);
-    motion.set_bounds(1e9, 1e9);
+    for (const std::size_t i : {0U, 1U, 2U}) {
+      motion.searched(i);
+      motion.unbind(i);
+    }
     motion.bound(0, 2, 1.0);
-    while (!motion.has_reached_a_bound()) motion.add({0.01 * uniform(random), 0, 0, 0.02 * uniform(random)}, 0);
+    while (!motion.has_reached_a_bound()) add(motion, {0.01 * uniform(random), 0, 0, 0.02 * uniform(random)});
     EXPECT_LT(motion.of(0) + motion.of(2), 1.0 + 0.03);
     EXPECT_GE(std::max(motion.of(0), motion.of(2)), 0.5);
   }
@@ -111,15 +118,16 @@ TEST(Motion, GivenABoundForTwoElements_ThenOneOfThemReachesItBeforeBothTogetherH
 
 TEST(Motion, GivenBoundsSinceSearchAndCheck_ThenTheNearerOneCounts) {
   Motion motion(2);
+  motion.set_limits(3.0, 2.0);
   motion.searched(0);
-  motion.set_bounds(3.0, 2.0);
-  motion.add({1.5, 0}, 0);
+  motion.unbind(0);
+  add(motion, {1.5, 0});
   EXPECT_FALSE(motion.has_reached_a_bound());
   motion.checked();
-  motion.set_bounds(3.0, 2.0);
-  motion.add({1.4, 0}, 0);
+  motion.unbind(0);
+  add(motion, {1.4, 0});
   EXPECT_FALSE(motion.has_reached_a_bound());
-  motion.add({0.2, 0}, 0);
+  add(motion, {0.2, 0});
   EXPECT_TRUE(motion.has_reached_a_bound());  // 3.1 since the search, 1.6 since the check
 }
 
@@ -196,7 +204,7 @@ TEST(Motion, GivenRandomMotionsAndTurns_ThenNoTwoPlacesComeNearerThanTheirElemen
     for (int step = 0; step < 4; ++step) {
       move_randomly(random, state, common, kStep);
       line.update(state, common, kStep);
-      motion.add(line.moved(), half_of_common_approach(state, common.rate * kStep));
+      motion.add(line.moved(), line.turned(), half_of_common_approach(state, common.rate * kStep));
     }
     const std::vector<Vector3> after = places_on(line);
     for (std::size_t a = 0; a < before.size(); ++a) {
@@ -218,7 +226,7 @@ TEST(Motion, GivenYarnsThatMoveStraightAtEachOther_ThenTheBoundIsTheirApproach) 
   for (int step = 0; step < 10; ++step) {
     for (std::size_t i = 0; i < 6; ++i) state.position.z[i] += i < 3 ? 0.02 : -0.03;
     line.update(state, {}, 0.01);
-    motion.add(line.moved(), 0);
+    motion.add(line.moved(), line.turned(), 0);
   }
   EXPECT_NEAR(motion.of(0) + motion.of(3), 0.5, 1e-14);
 }
@@ -237,7 +245,7 @@ TEST(Motion, GivenNodesThatTurnInPlace_ThenTheBoundHoldsWhereTheCurvesBulgeTowar
     test::set_rotation(state, i, test::turn({0, up * kAngle, 0}));
   }
   line.update(state, {}, 0.01);
-  motion.add(line.moved(), 0);
+  motion.add(line.moved(), line.turned(), 0);
   const double between = combine(line.curve(2), hermite(0.5)).z - combine(line.curve(0), hermite(0.5)).z;
   EXPECT_NEAR(1 - between, 0.5 * std::sin(kAngle), 1e-14);
   EXPECT_GE(motion.of(0) + motion.of(2), 1 - between);
@@ -290,15 +298,15 @@ TEST(PairWatch, GivenAPairThatSleeps_ThenItWakesWhenBothYarnsTogetherHaveMovedAs
   PairWatch watch;
   watch.renew(kAll, {{1, 4}});  // on elements 0 and 2
   Motion motion(5);
-  motion.add({0.125, 0, 0, 0.125, 0}, 0);
+  add(motion, {0.125, 0, 0, 0.125, 0});
   ASSERT_EQ(looked_at(watch, motion, 0.5).size(), 1U);  // element 0 has moved by 1/8, element 2 by 1/8
-  motion.add({0.25, 0, 0, 0, 0}, 0);
-  motion.add({0, 0, 0, 0.1875, 0}, 0);
+  add(motion, {0.25, 0, 0, 0, 0});
+  add(motion, {0, 0, 0, 0.1875, 0});
   EXPECT_EQ(looked_at(watch, motion, 0.5), Pairs{}) << "7/16 are less than 1/2";
-  motion.add({0.0625, 0, 0, 0, 0}, 0);
+  add(motion, {0.0625, 0, 0, 0, 0});
   EXPECT_EQ(looked_at(watch, motion, 0.5), (Pairs{{1, 4}}));
   EXPECT_EQ(looked_at(watch, motion, 0.5), Pairs{});
-  motion.add({0, 0, 0, 0.5, 0}, 0);
+  add(motion, {0, 0, 0, 0.5, 0});
   EXPECT_EQ(looked_at(watch, motion, 0.5), (Pairs{{1, 4}})) << "the next sleep counts from the look";
 }
 
@@ -307,7 +315,7 @@ TEST(PairWatch, GivenAYarnThatMoves_ThenPairsOfOtherYarnsSleepOn) {
   watch.renew(kAll, {{0, 5}, {4, 8}});  // elements 0 and 2, 2 and 4
   Motion motion(6);
   looked_at(watch, motion, 0.5);
-  motion.add({8, 0, 0, 0, 0, 0}, 0);
+  add(motion, {8, 0, 0, 0, 0, 0});
   EXPECT_EQ(looked_at(watch, motion, 0.5), (Pairs{{0, 5}}));
 }
 
@@ -338,7 +346,7 @@ TEST(PairWatch, GivenPairsThatHaveLittleLeft_ThenTheyAreLookedAtEarlyWithOthers)
   watch.renew(kAll, {{0, 5}, {4, 8}});
   Motion motion(6);
   looked_at(watch, motion, 0.5);
-  motion.add({0.375, 0, 0, 0, 0, 0}, 0);
+  add(motion, {0.375, 0, 0, 0, 0, 0});
   EXPECT_EQ(looked_at(watch, motion, 0.5, 0.0625), Pairs{});
   EXPECT_EQ(looked_at(watch, motion, 0.5, 0.25), (Pairs{{0, 5}}));
 }
@@ -348,11 +356,10 @@ TEST(PairWatch, GivenPairsThatSleep_ThenTheirElementsAreBoundedByWhatIsLeft) {
   watch.renew(kAll, {{0, 5}});
   Motion motion(6);
   for (std::size_t i = 0; i < 6; ++i) motion.searched(i);
-  motion.set_bounds(1e9, 1e9);
   looked_at(watch, motion, 0.5);
-  motion.add({0.125, 0, 0, 0.125, 0, 0}, 0);
+  add(motion, {0.125, 0, 0, 0.125, 0, 0});
   EXPECT_FALSE(motion.has_reached_a_bound());
-  motion.add({0.125, 0, 0, 0, 0, 0}, 0);
+  add(motion, {0.125, 0, 0, 0, 0, 0});
   EXPECT_TRUE(motion.has_reached_a_bound()) << "one of the two has moved by half of what both may";
 }
 

@@ -34,11 +34,12 @@ TEST(PairWatch, GivenAYarnThatMovesInOnePlace_ThenOnlyThePairsThereAreLookedAt) 
   looked.clear();
   // When node 8 moves, and with it elements 7 and 8, first by less than that and then beyond it.
   std::vector<double> moved(11, 0.0);
+  const std::vector<double> still = moved;
   moved[8] = 0.375;
-  motion.add(moved, 0);
+  motion.add(moved, still, 0);
   watch.look_at_all(elements, 0, motion, look);
   EXPECT_THAT(looked, ElementsAre());
-  motion.add(moved, 0);
+  motion.add(moved, still, 0);
   watch.look_at_all(elements, 0, motion, look);
   // Then of all pairs only that of element 8 is looked at.
   EXPECT_THAT(looked, ElementsAre(2));
