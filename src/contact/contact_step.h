@@ -34,7 +34,6 @@ struct ContactStep {
   double largest_penetration = 0;         ///< [mm]
   std::optional<LostCrossing> lost = {};  ///< if a yarn went through another: the first found
   bool asks_for_look = false;             ///< an overlap has grown too long for a crossing
-  bool strikes = false;                   ///< two yarns have become stiffer against each other by K within this step
 
   /// Adds what comes after.
   void add(const ContactStep& next) {
@@ -42,7 +41,6 @@ struct ContactStep {
     largest_penetration = std::max(largest_penetration, next.largest_penetration);
     if (!lost) lost = next.lost;
     asks_for_look = asks_for_look || next.asks_for_look;
-    strikes = strikes || next.strikes;
   }
 };
 

@@ -114,7 +114,6 @@ void press(const StepOfContacts& step, PairLoad& pair, const Followed& here, dou
   };
   loads.first = on(here.first, pair.on_first);
   loads.second = on(here.second, pair.on_second);
-  if (pair.tangent - crossing.now.tangent > step.law.stiffness) done.strikes = true;
   set_state(crossing.now, penetration, pair.load, pair.tangent, pair.energy, stick_stiffness);
   done.friction_loss += friction.loss;
 }
@@ -204,7 +203,6 @@ KNITMECH_INLINE void take_over(const StepOfContacts& step, const ContactBatch& b
   crossing.is_minimum = true;
   if (batch.turned_round[lane] != 0 && !done.lost) done.lost = lost_at(step, crossing.first, crossing.second);
   ContactState& now = crossing.now;
-  if (batch.tangent[lane] - now.tangent > step.law.stiffness) done.strikes = true;
   now.stick.normal = batch.normal.at(lane);
   now.stick.elastic_slip = batch.elastic_slip.at(lane);
   now.stick.slid += batch.slid[lane];

@@ -167,7 +167,6 @@ void OverlapWork::press(const StepOfContacts& step, const ContactElements& piece
   const double penetration = radii - std::sqrt(std::max(radii * radii - 2 * radii * awake.greatest_depth, 0.0));
   strip.now.penetration = std::max(penetration, 0.0);
   strip.now.load = load;
-  stiffened_ += scale * tangent - strip.now.tangent;
   strip.now.tangent = scale * tangent;
   strip.now.energy = scale * energy;
   strip.now.stick_stiffness = stick;
@@ -196,9 +195,7 @@ void OverlapWork::evaluate(const StepOfContacts& step, const ContactElements& pi
   batch_.clear();
   for (AwakeStrip& awake : awake_) find_pressed_cells(step, pieces, overlap, awake);
   batch_.integrate();
-  stiffened_ = 0;
   for (const AwakeStrip& awake : awake_) press(step, pieces, awake, moved, overlap, done);
-  if (stiffened_ > step.law.stiffness) done.strikes = true;
   if (!cells_.empty()) give_loads(step, pieces, overlap);
 }
 

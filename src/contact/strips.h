@@ -63,7 +63,6 @@ class OverlapWork {
   std::vector<double> weights_;    ///< of all points, for a strip [mm^2]
   std::vector<PressedCell> cells_;
   CellBatch batch_;
-  double stiffened_ = 0;  ///< growth of the tangents of all strips that press [N/mm]
 };
 
 }  // namespace knitmech::contact

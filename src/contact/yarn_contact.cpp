@@ -104,7 +104,6 @@ void YarnContact::add_forces(const model::State& state, double step, model::Noda
                                                    : chord_forces_.add(now, team, near_, loads);
   friction_loss_ += done.friction_loss;
   largest_penetration_ = done.largest_penetration;
-  strikes_ = done.strikes;
   if (!lost_) lost_ = done.lost;
 }
 

@@ -37,8 +37,6 @@ class YarnContact {
   [[nodiscard]] double friction_loss() const { return friction_loss_; }
   /// At the last call of add_forces [mm].
   [[nodiscard]] double largest_penetration() const { return largest_penetration_; }
-  /// Whether two yarns struck each other at the last call of add_forces: became stiffer against each other by K.
-  [[nodiscard]] bool strikes() const { return strikes_; }
   /// Contacts that carry a force, at the last call of add_forces.
   [[nodiscard]] std::vector<ContactPoint> points() const;
   [[nodiscard]] int n_contacts() const { return static_cast<int>(points().size()); }
@@ -63,7 +61,7 @@ class YarnContact {
   template <class Archive>
   void serialize(Archive& archive) {
     archive(base::left_out(elements_, pieces_, law_, skin_, smooth_forces_), centreline_, common_motion_, motion_,
-            watch_, followed_, near_, chord_forces_, friction_loss_, largest_penetration_, strikes_, lost_,
+            watch_, followed_, near_, chord_forces_, friction_loss_, largest_penetration_, lost_,
             crossing_watch_, ravelled_, searches_, crossing_checks_);
   }
 
@@ -89,7 +87,6 @@ class YarnContact {
   ChordForces chord_forces_;
   double friction_loss_ = 0;
   double largest_penetration_ = 0;  ///< [mm]
-  bool strikes_ = false;
   std::optional<LostCrossing> lost_;
   CrossingWatch crossing_watch_;
   std::vector<RavelEvent> ravelled_;

@@ -17,10 +17,6 @@ inline constexpr double kStepReserve = 0.95;
 inline constexpr double kStepGrowth = 1.05;
 inline constexpr int kCalmLooks = 100;
 
-/// Looks after a strike between yarns until the step is what it was before [-]. Fewer: fewer steps, and more changes of
-/// the step.
-inline constexpr int kCalmAfterStrike = 20;
-
 /// Share of the yarn radius that a node may move in one step [-]. With it, no yarn can jump over another between two
 /// looks of the contact.
 inline constexpr double kLargestMove = 0.1;
@@ -46,9 +42,8 @@ inline constexpr double kEnergyNoise = 1e-3;
 /// Finest length d of selective mass as a share of the half stitch [-]: the axial frequency of the yarns is that of
 /// elements of this length. Measured on examples/02-wale-tension against lumped masses: with 0.3 and 0.4 the steps are
 /// 2.2 and 2.5 times fewer, and the force differs by at most 0.1 and 0.3 %, to 22 % strain. Waves as long as a stitch
-/// have the inertia of (pi d / 2 l)^2 times their own besides, 0.22 with 0.3; with 0.4, 30 elements per half stitch
-/// lost 8 % of the work where loops first strike; see docs/theory.md, section 10.
-inline constexpr double kSelectiveShare = 0.3;
+/// have the inertia of (pi d / 2 l)^2 times their own besides, 0.39 with 0.4.
+inline constexpr double kSelectiveShare = 0.4;
 
 /// Least of the numbers by which the frequency of contact on selective masses is bounded, as a share of the largest
 /// [-]. Smaller: closer where few nodes touch, and too high where a contact has just begun.

@@ -62,10 +62,7 @@ double ExplicitSolver::stable_step_for(double contact_frequency_squared) const {
 
 /// The step shrinks at once when it has to and grows seldom: every change of the step feeds or drains the fastest
 /// vibrations of a leapfrog, so a step that follows every contact would heat the yarns up.
-///
-/// Where two yarns strike each other along their sides, many strips press at once and are over in a few steps; then the
-/// step goes back to what it was.
-void ExplicitSolver::look_at_stable_step(bool after_strike) {
+void ExplicitSolver::look_at_stable_step() {
   const double speed_squared = largest_speed_squared(state_, team_);
   is_finite_ = !std::isnan(speed_squared);
   const auto rows = [&](const auto& mass, const auto& rotary) { return contact_.frequency_rows(mass, rotary); };
@@ -73,13 +70,7 @@ void ExplicitSolver::look_at_stable_step(bool after_strike) {
   if (speed_squared > 0) allowed = std::min(allowed, kLargestMove * smallest_radius_ / std::sqrt(speed_squared));
 
   if (allowed < step_in_use_) {
-    step_before_strike_ = after_strike ? std::max(step_before_strike_, step_in_use_) : 0;
     step_in_use_ = kStepReserve * allowed;
-    calm_looks_ = 0;
-  } else if (step_before_strike_ > 0 && allowed >= step_before_strike_) {
-    if (++calm_looks_ < kCalmAfterStrike) return;
-    step_in_use_ = step_before_strike_;
-    step_before_strike_ = 0;
     calm_looks_ = 0;
   } else if (allowed > kStepGrowth * step_in_use_ && ++calm_looks_ >= kCalmLooks) {
     step_in_use_ = std::min(kStepGrowth * step_in_use_, first_step_);
@@ -101,10 +92,9 @@ void ExplicitSolver::evaluate() {
 }
 
 void ExplicitSolver::step() {
-  if (steps_ % kWatchInterval == 0) look_at_stable_step(false);
+  if (steps_ % kWatchInterval == 0) look_at_stable_step();
   if (steps_ == 0) step_.before = step_in_use_;
   evaluate();
-  if (contact_.strikes()) look_at_stable_step(true);
   step_.after = step_in_use_;
   if (pull_.has_to_look(steps_)) pull_.look(internal_energy(), kinetic_energy(), state_);
   const double speed = pull_.advance(step_, state_, loads_);

@@ -82,7 +82,7 @@ class ExplicitSolver {
             pieces_);
     if constexpr (Archive::is_loading::value) make_parts_of_pieces();
     archive(work_, folds_, contact_, ties_, grips_, pull_, state_, loads_, step_, kick_, step_in_use_,
-            step_before_strike_, calm_looks_, breaks_, broken_, earlier_, untold_, n_gathered_, break_loss_,
+            calm_looks_, breaks_, broken_, earlier_, untold_, n_gathered_, break_loss_,
             mass_damping_loss_, largest_penetration_, impulse_top_, impulse_bottom_, impulse_time_, forces_are_current_,
             is_finite_, steps_);
     if constexpr (Archive::is_loading::value) nonlinear_.set_secants(state_, elements_);
@@ -91,8 +91,7 @@ class ExplicitSolver {
  private:
   /// \param viscous_time, friction_time [s], over which the losses of viscosity and friction are added up
   void compute_forces(double viscous_time, double friction_time);
-  /// \param after_strike whether it is a strike between two yarns that asks for it
-  void look_at_stable_step(bool after_strike);
+  void look_at_stable_step();
   [[nodiscard]] double stable_step_for(double contact_frequency_squared) const;
   [[nodiscard]] double width() const;
 
@@ -127,7 +126,6 @@ class ExplicitSolver {
   double kick_ = 0;                          ///< [s], time over which the last forces have acted
   double smallest_radius_ = 0;               ///< [mm]
   double step_in_use_ = 0, first_step_ = 0;  ///< [s]
-  double step_before_strike_ = 0;            ///< [s], to go back to; 0: none
   int calm_looks_ = 0;                       ///< looks since the step could have grown
   /// Of contacts that were made anew when a yarn broke.
   struct Earlier {
