@@ -61,8 +61,7 @@ class Relaxing {
  private:
   /// The steps of ExplicitSolver, but that no energy has to be kept, so they may follow what is allowed.
   void set_step() {
-    const auto rows = [&](const auto& mass, const auto& rotary) { return contact_.frequency_rows(mass, rotary); };
-    const double contacts = solve::highest_frequency_squared(rows, inertia_, masses_);
+    const double contacts = solve::highest_frequency_squared(contact_.springs(), inertia_, masses_);
     const double lightest = *std::ranges::min_element(masses_.felt());
     const double expected = solve::kExpectedContacts * fabric_.model().contact_stiffness / lightest;
     const double frequency_squared = inertia_.highest_frequency_squared + std::max(contacts, expected);

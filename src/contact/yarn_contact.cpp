@@ -6,7 +6,6 @@
 
 #include "base/blocks.h"
 #include "contact/constants.h"
-#include "contact/frequency_bound.h"
 #include "contact/look_for_contacts.h"
 #include "contact/search_around.h"
 #include "contact/watch_constants.h"
@@ -120,14 +119,23 @@ std::vector<ContactPoint> YarnContact::points() const {
   return points;
 }
 
-std::vector<double> YarnContact::frequency_rows(const std::vector<double>& mass,
-                                                const std::vector<double>& rotary) const {
-  FrequencyBound bound(mass, rotary);
-  for (const ContactPoint& point : points()) {
-    bound.add({point.first, centreline_.hold(point.first)}, {point.second, centreline_.hold(point.second)},
-              std::max(point.tangent, point.stick_stiffness));
+Springs YarnContact::springs() const {
+  Springs springs;
+  const auto add = [&](YarnPlace first, YarnPlace second, double tangent, double stick_stiffness) {
+    springs.add({first, centreline_.hold(first)}, {second, centreline_.hold(second)},
+                std::max(tangent, stick_stiffness));
+  };
+  const auto add_if_loaded = [&](YarnPlace first, YarnPlace second, const ContactState& now) {
+    if (now.load > 0) add(first, second, now.tangent, now.stick_stiffness);
+  };
+  for (const Crossing& crossing : followed_.crossings) add_if_loaded(crossing.first, crossing.second, crossing.now);
+  for (const Overlap& overlap : followed_.overlaps) {
+    for (const Strip& strip : overlap.laid) add_if_loaded(strip.at, strip.other, strip.now);
   }
-  return bound.rows();
+  for (const ChordContact& contact : chord_forces_.contacts()) {
+    add(contact.point.first, contact.point.second, contact.point.tangent, contact.point.stick_stiffness);
+  }
+  return springs;
 }
 
 }  // namespace knitmech::contact

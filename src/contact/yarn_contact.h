@@ -13,6 +13,7 @@
 #include "contact/followed_contacts.h"
 #include "contact/pair_watch.h"
 #include "contact/smooth_contacts.h"
+#include "contact/springs.h"
 #include "model/frame.h"
 #include "model/state.h"
 
@@ -40,10 +41,9 @@ class YarnContact {
   /// Contacts that carry a force, at the last call of add_forces.
   [[nodiscard]] std::vector<ContactPoint> points() const;
   [[nodiscard]] int n_contacts() const { return static_cast<int>(points().size()); }
-  /// Row sums of the stiffness of all contacts, scaled with the inertia of the nodes: see FrequencyBound::rows(). The
-  /// largest is an upper bound of the square of the highest frequency that the contacts alone give such nodes.
-  [[nodiscard]] std::vector<double> frequency_rows(const std::vector<double>& mass,
-                                                   const std::vector<double>& rotary) const;
+  /// All contacts as springs, each as stiff as it is in its stiffest direction: they bound the frequencies that the
+  /// contacts give the nodes.
+  [[nodiscard]] Springs springs() const;
   /// The line that the contact sees, as of the last call of add_forces.
   [[nodiscard]] const Centreline& centreline() const { return centreline_; }
   [[nodiscard]] const std::optional<LostCrossing>& lost_crossing() const { return lost_; }

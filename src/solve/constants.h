@@ -43,7 +43,7 @@ inline constexpr double kEnergyNoise = 1e-3;
 /// elements of this length. Measured on examples/02-wale-tension against lumped masses: with 0.3 and 0.4 the steps are
 /// 2.2 and 2.5 times fewer, and the force differs by at most 0.1 and 0.3 %, to 22 % strain. Waves as long as a stitch
 /// have the inertia of (pi d / 2 l)^2 times their own besides, 0.39 with 0.4.
-inline constexpr double kSelectiveShare = 0.4;
+inline constexpr double kSelectiveShare = 0.6;
 
 /// Least of the numbers by which the frequency of contact on selective masses is bounded, as a share of the largest
 /// [-]. Smaller: closer where few nodes touch, and too high where a contact has just begun.

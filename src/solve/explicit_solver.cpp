@@ -65,8 +65,7 @@ double ExplicitSolver::stable_step_for(double contact_frequency_squared) const {
 void ExplicitSolver::look_at_stable_step() {
   const double speed_squared = largest_speed_squared(state_, team_);
   is_finite_ = !std::isnan(speed_squared);
-  const auto rows = [&](const auto& mass, const auto& rotary) { return contact_.frequency_rows(mass, rotary); };
-  double allowed = stable_step_for(highest_frequency_squared(rows, inertia_, masses_));
+  double allowed = stable_step_for(highest_frequency_squared(contact_.springs(), inertia_, masses_));
   if (speed_squared > 0) allowed = std::min(allowed, kLargestMove * smallest_radius_ / std::sqrt(speed_squared));
 
   if (allowed < step_in_use_) {

@@ -53,7 +53,7 @@ model::HistoryRow ExplicitSolver::history() {
   row.damping_loss = beam::damping_loss(work_) + mass_damping_loss_ + pull_.damping_loss();
   row.break_loss = break_loss_;
   row.width = width();
-  contact_.check_crossings();
+  contact_.check_crossings(team_);
   const std::vector<contact::ContactPoint> points = contact_.points();
   row.contacts = static_cast<int>(points.size());
   for (const contact::ContactPoint& point : points) {

@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-#include "contact/frequency_bound.h"
+#include "contact/springs.h"
 
 namespace knitmech {
 namespace {
@@ -17,7 +17,7 @@ constexpr std::size_t kNodes = 24;  // two yarns of twelve
 
 /// A contact: a spring along a direction between a place on the first yarn and one on the second.
 struct Spring {
-  contact::FrequencyBound::End first, second;
+  contact::Springs::End first, second;
   Eigen::Vector3d direction;
 };
 
@@ -36,13 +36,10 @@ class RandomContacts {
   }
 
   [[nodiscard]] double bound() const {
-    const auto rows = [&](const std::vector<double>& mass, const std::vector<double>& rotary) {
-      contact::FrequencyBound sums(mass, rotary);
-      for (const Spring& spring : springs_) sums.add(spring.first, spring.second, 16);
-      return sums.rows();
-    };
+    contact::Springs springs;
+    for (const Spring& spring : springs_) springs.add(spring.first, spring.second, 16);
     const std::vector<char> free(kNodes);
-    return solve::highest_frequency_squared(rows, inertia, solve::SelectiveMass(inertia, {free, free}));
+    return solve::highest_frequency_squared(springs, inertia, solve::SelectiveMass(inertia, {free, free}));
   }
 
   /// The largest eigenvalue of the stiffness over the mass matrix.
@@ -75,14 +72,14 @@ class RandomContacts {
 
  private:
   double normal() { return std::normal_distribution<double>()(random_); }
-  contact::FrequencyBound::End end_on(int first_node) {
+  contact::Springs::End end_on(int first_node) {
     const int element = first_node + std::uniform_int_distribution<int>(0, 10)(random_);
     const double share = std::uniform_real_distribution<double>(0, 1)(random_);
     const auto arm = [&] { return Vector3{0.05 * normal(), 0.05 * normal(), 0.05 * normal()}; };
     return {{element, share}, {1 - share, share, arm(), arm()}};
   }
   /// Motion of a place along a direction: one entry per degree of freedom.
-  static Eigen::VectorXd row_of(const contact::FrequencyBound::End& end, const Eigen::Vector3d& direction) {
+  static Eigen::VectorXd row_of(const contact::Springs::End& end, const Eigen::Vector3d& direction) {
     const auto eigen = [](Vector3 v) { return Eigen::Vector3d(v.x, v.y, v.z); };
     Eigen::VectorXd row = Eigen::VectorXd::Zero(6 * kNodes);
     const Eigen::Index at = 6 * end.place.element;
