@@ -76,12 +76,9 @@ class Look {
     std::optional<ClosestPlaces> closest{};  ///< of the two yarns, where there is a distinct one
   };
 
-  [[nodiscard]] PairSight sight(const Motion& motion, ElementPair pair, double length) const {
-    const auto a = static_cast<std::size_t>(pieces_.element_of(pair.first));
-    const auto b = static_cast<std::size_t>(pieces_.element_of(pair.second));
-    const model::VectorArray& x = line_.node_position();
-    return {x.at(b) - x.at(a), x.at(a + 1) - x.at(a), x.at(b + 1) - x.at(b), motion.turned(a) + motion.turned(b),
-            length};
+  [[nodiscard]] PairSight sight(const Motion& motion, ElementPair pair) const {
+    return sight_of(line_.node_position(), motion, static_cast<std::size_t>(pieces_.element_of(pair.first)),
+                    static_cast<std::size_t>(pieces_.element_of(pair.second)));
   }
 
   /// Looks at a pair for the places where it comes closest. Changes nothing.
@@ -314,8 +311,8 @@ void look_for_contacts(const YarnElements& elements, const ContactElements& piec
   std::vector<Look::PairView> views(due.size());
   const auto view = [&](std::size_t number) {
     const ElementPair pair = watch.pairs()[number];
-    if (const PairSight* then = watch.sight_of(number)) {
-      const double left = left_of(*then, look.sight(motion, pair, 0));
+    if (const PairWatch::Look* last = watch.last_look(number)) {
+      const double left = last->length - motion_between(last->sight, look.sight(motion, pair));
       if (left > early) return Look::PairView{.sleep = left, .is_as_before = true};
     }
     return look.view(pair);
@@ -327,9 +324,9 @@ void look_for_contacts(const YarnElements& elements, const ContactElements& piec
     watch.let_sleep(pieces, motion, due[i], views[i].sleep);
     if (views[i].is_as_before) continue;
     const ElementPair pair = watch.pairs()[due[i]];
-    const bool has_touched = watch.sight_of(due[i]) != nullptr;
+    const bool has_touched = watch.last_look(due[i]) != nullptr;
     if (views[i].may_touch || has_touched) {
-      watch.note_sight(due[i], look.sight(motion, pair, views[i].sleep));
+      watch.note(due[i], {look.sight(motion, pair), views[i].sleep});
       look.take(pair, views[i]);
     }
   }

@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "base/vector3.h"
+#include "contact/motion.h"
+#include "model/state.h"
 
 namespace knitmech::contact {
 
@@ -17,16 +19,15 @@ struct PairSight {
   Vector3 apart{};              ///< from the start of the first element to that of the second [mm]
   Vector3 first{}, second{};    ///< chords of the elements [mm]
   double turned = 0;            ///< what both lines had moved since the start by the turning of their nodes [mm]
-  double length = 0;            ///< by which they might come nearer until the next look [mm]
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(apart, first, second, turned, length);
+    archive(apart, first, second, turned);
   }
 };
 
-/// What is left of the length of a sight, as its elements are now [mm].
-[[nodiscard]] inline double left_of(const PairSight& then, const PairSight& now) {
+/// How much nearer any two places of the elements may have come [mm].
+[[nodiscard]] inline double motion_between(const PairSight& then, const PairSight& now) {
   const Vector3 start_start = now.apart - then.apart;
   const Vector3 first = now.first - then.first;
   const Vector3 second = now.second - then.second;
@@ -34,7 +35,16 @@ struct PairSight {
   for (const Vector3 move : {start_start, start_start - first, start_start + second, start_start + second - first}) {
     largest = std::max(largest, dot(move, move));
   }
-  return then.length - std::sqrt(largest) - (now.turned - then.turned);
+  return std::sqrt(largest) + now.turned - then.turned;
+}
+
+/// Two elements as they are now.
+[[nodiscard]] inline PairSight sight_of(const model::VectorArray& node_position, const Motion& motion,
+                                        std::size_t first, std::size_t second) {
+  const Vector3 a = node_position.at(first);
+  const Vector3 b = node_position.at(second);
+  return {b - a, node_position.at(first + 1) - a, node_position.at(second + 1) - b,
+          motion.turned(first) + motion.turned(second)};
 }
 
 }  // namespace knitmech::contact

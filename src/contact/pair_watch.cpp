@@ -11,23 +11,23 @@ namespace knitmech::contact {
 void PairWatch::renew(const std::vector<char>& is_due, const std::vector<ElementPair>& found) {
   std::vector<ElementPair> pairs;
   std::vector<double> wakes;
-  std::vector<std::uint32_t> sight_of;
-  std::vector<PairSight> sights;
+  std::vector<std::uint32_t> look_at;
+  std::vector<Look> looks;
   pairs.reserve(pairs_.size() + found.size());
   wakes.reserve(pairs_.size() + found.size());
-  sight_of.reserve(pairs_.size() + found.size());
-  sights.reserve(sights_.size());
+  look_at.reserve(pairs_.size() + found.size());
+  looks.reserve(looks_.size());
   const auto add_new = [&](ElementPair pair) {
     pairs.push_back(pair);
     wakes.push_back(std::numeric_limits<double>::lowest());
-    sight_of.push_back(kUnseen);
+    look_at.push_back(kNone);
   };
   const auto add_old = [&](std::size_t number) {
     pairs.push_back(pairs_[number]);
     wakes.push_back(wakes_[number]);
-    const PairSight* sight = this->sight_of(number);
-    sight_of.push_back(sight == nullptr ? kUnseen : static_cast<std::uint32_t>(sights.size()));
-    if (sight != nullptr) sights.push_back(*sight);
+    const Look* look = last_look(number);
+    look_at.push_back(look == nullptr ? kNone : static_cast<std::uint32_t>(looks.size()));
+    if (look != nullptr) looks.push_back(*look);
   };
   std::size_t old = 0;
   const auto keep_until = [&](ElementPair pair) {
@@ -50,12 +50,12 @@ void PairWatch::renew(const std::vector<char>& is_due, const std::vector<Element
   if (4 * pairs.capacity() > 5 * pairs.size()) {
     pairs.shrink_to_fit();
     wakes.shrink_to_fit();
-    sight_of.shrink_to_fit();
+    look_at.shrink_to_fit();
   }
   pairs_ = std::move(pairs);
   wakes_ = std::move(wakes);
-  sight_of_ = std::move(sight_of);
-  sights_ = std::move(sights);
+  look_at_ = std::move(look_at);
+  looks_ = std::move(looks);
   first_on_.clear();
   wake_all();
 }

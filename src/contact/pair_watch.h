@@ -43,16 +43,26 @@ class PairWatch {
     wakes_[pair] = motion_of(pieces, motion, pair) + length;
   }
 
-  /// What a pair was like when it was last looked at, if that was noted; null if not.
-  [[nodiscard]] const PairSight* sight_of(std::size_t pair) const {
-    return sight_of_[pair] == kUnseen ? nullptr : &sights_[sight_of_[pair]];
+  /// What a pair was like when it was last looked at.
+  struct Look {
+    PairSight sight;
+    double length = 0;  ///< by which its yarns might come nearer from then on [mm]
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+      archive(sight, length);
+    }
+  };
+  /// Null if none was noted.
+  [[nodiscard]] const Look* last_look(std::size_t pair) const {
+    return look_at_[pair] == kNone ? nullptr : &looks_[look_at_[pair]];
   }
-  void note_sight(std::size_t pair, const PairSight& sight) {
-    if (sight_of_[pair] == kUnseen) {
-      sight_of_[pair] = static_cast<std::uint32_t>(sights_.size());
-      sights_.push_back(sight);
+  void note(std::size_t pair, const Look& look) {
+    if (look_at_[pair] == kNone) {
+      look_at_[pair] = static_cast<std::uint32_t>(looks_.size());
+      looks_.push_back(look);
     } else {
-      sights_[sight_of_[pair]] = sight;
+      looks_[look_at_[pair]] = look;
     }
   }
 
@@ -62,8 +72,8 @@ class PairWatch {
 
   /// Calls look(pair) for every pair that is awake or nearly; it returns a length as for let_sleep(). Then bounds the
   /// elements.
-  template <typename Look>
-  void look_at_all(const ContactElements& pieces, double early, Motion& motion, const Look& look,
+  template <typename Call>
+  void look_at_all(const ContactElements& pieces, double early, Motion& motion, const Call& look,
                    const base::ThreadTeam& team = base::ThreadTeam(1)) {
     std::vector<std::size_t> due;
     find_due(pieces, early, motion, team, due);
@@ -73,7 +83,7 @@ class PairWatch {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(pairs_, wakes_, sight_of_, sights_, sees_to_all_, base::left_out(first_on_, on_element_, at_bound_, found_));
+    archive(pairs_, wakes_, look_at_, looks_, sees_to_all_, base::left_out(first_on_, on_element_, at_bound_, found_));
   }
 
  private:
@@ -94,9 +104,9 @@ class PairWatch {
 
   std::vector<ElementPair> pairs_;
   std::vector<double> wakes_;  ///< motion of both elements since the start at which a pair wakes [mm]
-  static constexpr std::uint32_t kUnseen = std::numeric_limits<std::uint32_t>::max();
-  std::vector<std::uint32_t> sight_of_;  ///< number of the sight of each pair
-  std::vector<PairSight> sights_;
+  static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+  std::vector<std::uint32_t> look_at_;  ///< number of the last look at each pair
+  std::vector<Look> looks_;
   bool sees_to_all_ = true;
   /// Pairs on each element: entries of on_element_ from first_on_ of the element to that of the next one. None until
   /// they are needed.

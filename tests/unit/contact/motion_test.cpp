@@ -216,6 +216,56 @@ TEST(Motion, GivenRandomMotionsAndTurns_ThenNoTwoPlacesComeNearerThanTheirElemen
   }
 }
 
+TEST(PairSight, GivenRandomMotionsAndTurns_ThenNoTwoPlacesMoveAgainstEachOtherByMoreThanItSays) {
+  std::mt19937 random(13);
+  for (int trial = 0; trial < 300; ++trial) {
+    const model::Model model = bent_yarns(random);
+    model::State state = test::state_of(model);
+    Centreline line(model);
+    line.update(state, {}, 0);
+    Motion motion(model.nodes.size());
+    const std::vector<Vector3> before = places_on(line);
+    const auto sight = [&](std::size_t a, std::size_t b) { return sight_of(line.node_position(), motion, a, b); };
+    std::vector<PairSight> then;
+    for (const std::size_t a : kElements) {
+      for (const std::size_t b : kElements) then.push_back(sight(a, b));
+    }
+    for (int step = 0; step < 4; ++step) {
+      move_randomly(random, state, {}, 0);
+      line.update(state, {}, 0);
+      motion.add(line.moved(), line.turned(), 0);
+    }
+    const std::vector<Vector3> after = places_on(line);
+    for (std::size_t a = 0; a < before.size(); ++a) {
+      for (std::size_t b = 0; b < before.size(); ++b) {
+        const PairSight& seen = then[a / (kPlaces + 1) * 4 + b / (kPlaces + 1)];
+        const double moved = length((after[b] - after[a]) - (before[b] - before[a]));
+        ASSERT_LE(moved, motion_between(seen, sight(element_of(a), element_of(b))) + 1e-12) << "trial " << trial;
+      }
+    }
+  }
+}
+
+TEST(PairSight, GivenYarnsThatMoveTogether_ThenTheyHaveNotMovedAgainstEachOther) {
+  const model::Model model = test::yarns_through(
+      {test::straight({0, 0, 0}, {1, 0, 0}, 2), test::straight({0, 0, 1}, {1, 0, 1}, 2)}, test::section(1, 1, 1, 1, 1));
+  model::State state = test::state_of(model);
+  Centreline line(model);
+  line.update(state, {}, 0);
+  Motion motion(6);
+  const PairSight then = sight_of(line.node_position(), motion, 0, 3);
+  for (std::size_t i = 0; i < 6; ++i) state.position.add(i, {2, -7, 3});
+  line.update(state, {}, 0.01);
+  motion.add(line.moved(), line.turned(), 0);
+  EXPECT_GT(motion.of(0), 7);
+  EXPECT_NEAR(motion_between(then, sight_of(line.node_position(), motion, 0, 3)), 0, 1e-14);
+  // Then one of them by its own way.
+  for (std::size_t i = 3; i < 6; ++i) state.position.add(i, {0, 0, -0.25});
+  line.update(state, {}, 0.01);
+  motion.add(line.moved(), line.turned(), 0);
+  EXPECT_NEAR(motion_between(then, sight_of(line.node_position(), motion, 0, 3)), 0.25, 1e-14);
+}
+
 TEST(Motion, GivenYarnsThatMoveStraightAtEachOther_ThenTheBoundIsTheirApproach) {
   const model::Model model = test::yarns_through(
       {test::straight({0, 0, 0}, {1, 0, 0}, 2), test::straight({0, 0, 1}, {1, 0, 1}, 2)}, test::section(1, 1, 1, 1, 1));
