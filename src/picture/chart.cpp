@@ -29,6 +29,7 @@ constexpr std::array<LineStyle, 6> kStyles{{{"#0072b2", ""},
 constexpr const char* kFont = "DejaVu Sans, Helvetica, Arial, sans-serif";
 constexpr double kTextSize = 14;
 constexpr double kTitleSize = 16;
+constexpr double kMarkSize = 3.5;
 
 std::string escaped(const std::string& text) {
   std::string result;
@@ -86,6 +87,23 @@ bool is_point(const Series& series, std::size_t i) {
   return std::isfinite(series.x[i]) && std::isfinite(series.y[i]);
 }
 
+double logarithm(double value) {
+  return value > 0 ? std::log10(value) : std::numeric_limits<double>::quiet_NaN();
+}
+
+/// A chart with the logarithms of what is drawn over logarithmic axes.
+Chart on_axes(Chart chart) {
+  for (Series& series : chart.series) {
+    if (chart.log_x) std::transform(series.x.begin(), series.x.end(), series.x.begin(), logarithm);
+    if (chart.log_y) std::transform(series.y.begin(), series.y.end(), series.y.begin(), logarithm);
+  }
+  for (Note& note : chart.notes) {
+    if (chart.log_x) note.x = logarithm(note.x);
+    if (chart.log_y) note.y = logarithm(note.y);
+  }
+  return chart;
+}
+
 Layout lay_out(const Chart& chart) {
   Range x;
   Range y;
@@ -103,7 +121,7 @@ Layout lay_out(const Chart& chart) {
   }
   // Noise about zero, no thicker than a few lines, deserves no interval of its own below it.
   constexpr double kNoise = 0.02;
-  if (y.lowest < 0 && -y.lowest < kNoise * y.highest) y.lowest = 0;
+  if (!chart.log_y && y.lowest < 0 && -y.lowest < kNoise * y.highest) y.lowest = 0;
   Layout layout;
   layout.right = chart.width - 28.0;
   layout.top = chart.title.empty() ? 22.0 : 48.0;
@@ -112,8 +130,8 @@ Layout lay_out(const Chart& chart) {
     layout.top += 26;
   }
   layout.bottom = chart.height - 60.0;
-  layout.x = nice_ticks(x.lowest, x.highest, 8);
-  layout.y = nice_ticks(y.lowest, y.highest, 6);
+  layout.x = chart.log_x ? nice_log_ticks(x.lowest, x.highest) : nice_ticks(x.lowest, x.highest, 8);
+  layout.y = chart.log_y ? nice_log_ticks(y.lowest, y.highest) : nice_ticks(y.lowest, y.highest, 6);
   return layout;
 }
 
@@ -163,6 +181,31 @@ std::string stroke(std::size_t index) {
   return text;
 }
 
+/// Circles and squares in turn, which tell marks apart in black-and-white print.
+std::string mark(double x, double y, std::size_t index) {
+  const char* colour = kStyles[index % kStyles.size()].colour;
+  if (index % 2 == 0) {
+    return fmt::format("<circle cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"{}\" fill=\"{}\"/>\n", x, y, kMarkSize, colour);
+  }
+  return fmt::format("<rect x=\"{0:.2f}\" y=\"{1:.2f}\" width=\"{2}\" height=\"{2}\" fill=\"{3}\"/>\n", x - kMarkSize,
+                     y - kMarkSize, 2 * kMarkSize, colour);
+}
+
+std::string series_marks(const Series& series, std::size_t index, const Layout& layout) {
+  std::string text;
+  for (std::size_t i = 0; i < series.x.size(); ++i) {
+    if (is_point(series, i)) text += mark(layout.page_x(series.x[i]), layout.page_y(series.y[i]), index);
+  }
+  return text;
+}
+
+std::string note_text(const Note& note, const Layout& layout) {
+  if (!std::isfinite(note.x) || !std::isfinite(note.y)) return "";
+  constexpr double kAside = 3 * kMarkSize;
+  return text_element(layout.page_x(note.x) + (note.at_left ? -kAside : kAside), layout.page_y(note.y) + 4,
+                      kTextSize - 2, note.at_left ? "end" : "start", note.text);
+}
+
 /// One <polyline> for each run of finite points, or a dot where the run is a single point.
 std::string series_lines(const Series& series, std::size_t index, const Layout& layout) {
   std::string text;
@@ -191,7 +234,9 @@ std::string legend(const Chart& chart, const Layout& layout) {
   std::string text;
   double x = layout.left;
   for (std::size_t i = 0; i < chart.series.size(); ++i) {
-    text += line_element(x, layout.legend_y, x + 34, layout.legend_y, stroke(i).c_str());
+    if (chart.series[i].name.empty()) continue;
+    text += chart.series[i].only_marks ? mark(x + 17, layout.legend_y, i)
+                                       : line_element(x, layout.legend_y, x + 34, layout.legend_y, stroke(i).c_str());
     text += text_element(x + 42, layout.legend_y + 5, kTextSize, "start", chart.series[i].name);
     // The reader's font is not known here: 0.62 of its size is a generous mean width of a letter.
     x += 42 + 0.62 * kTextSize * static_cast<double>(chart.series[i].name.size()) + 24;
@@ -199,16 +244,19 @@ std::string legend(const Chart& chart, const Layout& layout) {
   return text;
 }
 
-}  // namespace
-
-std::string chart_svg(const Chart& chart) {
-  const Layout layout = lay_out(chart);
-  std::string text = fmt::format(
+std::string document(int width, int height, const std::string& elements) {
+  return fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" "
       "font-family=\"{2}\" fill=\"#222222\">\n"
-      "<rect width=\"{0}\" height=\"{1}\" fill=\"#ffffff\"/>\n",
-      chart.width, chart.height, kFont);
+      "<rect width=\"{0}\" height=\"{1}\" fill=\"#ffffff\"/>\n{3}</svg>\n",
+      width, height, kFont, elements);
+}
+
+std::string chart_elements(const Chart& as_given) {
+  const Chart chart = on_axes(as_given);
+  const Layout layout = lay_out(chart);
+  std::string text;
   if (!chart.title.empty()) {
     text += text_element(layout.left, 28, kTitleSize, "start", chart.title, " font-weight=\"bold\"");
   }
@@ -216,17 +264,37 @@ std::string chart_svg(const Chart& chart) {
   std::string lines;
   // The first series is the main one and lies on top.
   for (std::size_t i = chart.series.size(); i > 0; --i) {
-    lines += series_lines(chart.series[i - 1], i - 1, layout);
+    const Series& series = chart.series[i - 1];
+    lines += series.only_marks ? series_marks(series, i - 1, layout) : series_lines(series, i - 1, layout);
   }
   if (lines.empty()) {
     lines = text_element(0.5 * (layout.left + layout.right), 0.5 * (layout.top + layout.bottom), kTitleSize, "middle",
                          "no data");
   }
   text += lines;
+  for (const Note& note : chart.notes) text += note_text(note, layout);
   if (chart.series.size() > 1) {
     text += legend(chart, layout);
   }
-  return text + "</svg>\n";
+  return text;
+}
+
+}  // namespace
+
+std::string chart_svg(const Chart& chart) {
+  return document(chart.width, chart.height, chart_elements(chart));
+}
+
+std::string charts_svg(const std::vector<Chart>& charts) {
+  int width = 0;
+  int height = 0;
+  std::string elements;
+  for (const Chart& chart : charts) {
+    elements += fmt::format("<g transform=\"translate(0 {})\">\n{}</g>\n", height, chart_elements(chart));
+    width = std::max(width, chart.width);
+    height += chart.height;
+  }
+  return document(width, height, elements);
 }
 
 }  // namespace knitmech::picture

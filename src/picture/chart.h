@@ -5,19 +5,31 @@
 
 namespace knitmech::picture {
 
-/// One line of a chart. Points that are not finite leave a gap in the line.
+/// One line of a chart, or a row of marks. Points that are not finite leave a gap in the line. A series without a name
+/// is not in the legend.
 struct Series {
   std::string name;
   std::vector<double> x;
   std::vector<double> y;  ///< as long as x
+  bool only_marks = false;
 };
 
-/// A chart of lines over linear axes. Labels carry their unit in brackets, as in "Strain [%]".
+/// Text beside a point of a chart, at its right or at its left.
+struct Note {
+  double x, y;
+  std::string text;
+  bool at_left = false;
+};
+
+/// A chart of lines over linear or logarithmic axes; on the latter, points that are not positive are gaps. Labels carry
+/// their unit in brackets, as in "Strain [%]".
 struct Chart {
   std::string title{};
   std::string x_label{};
   std::string y_label{};
   std::vector<Series> series{};
+  std::vector<Note> notes{};
+  bool log_x = false, log_y = false;
   int width = 760;   ///< of the whole picture [px]
   int height = 500;  ///< [px]
 };
@@ -31,5 +43,8 @@ inline constexpr double kChartLineWidth = 2.2;
 /// A series of one point is a dot; a chart without points says "no data". Any text is allowed in names and labels.
 /// Throws std::invalid_argument if x and y of a series differ in length.
 [[nodiscard]] std::string chart_svg(const Chart& chart);
+
+/// Several charts in one document, one below the other.
+[[nodiscard]] std::string charts_svg(const std::vector<Chart>& charts);
 
 }  // namespace knitmech::picture

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace knitmech::picture {
@@ -54,6 +55,26 @@ Ticks nice_ticks(double lowest, double highest, int intervals) {
     ticks.labels.push_back(label_of(value, step, std::max(std::abs(lowest), std::abs(highest))));
   }
   return ticks;
+}
+
+Ticks nice_log_ticks(double lowest, double highest) {
+  if (!std::isfinite(lowest) || !std::isfinite(highest)) {
+    lowest = 0;
+    highest = 1;
+  }
+  constexpr double kRounding = 1e-9;
+  constexpr std::array<double, 3> kFactors{1, 2, 5};
+  const std::size_t n_factors = highest - lowest < 3 ? kFactors.size() : 1;
+  Ticks ticks;
+  for (double power = std::floor(lowest + kRounding);; ++power) {
+    for (std::size_t i = 0; i < n_factors; ++i) {
+      const double value = power + std::log10(kFactors[i]);
+      if (value <= lowest + kRounding) ticks = {};
+      ticks.values.push_back(value);
+      ticks.labels.push_back(fmt::format("{:.{}f}", std::pow(10.0, value), std::max(0, static_cast<int>(-power))));
+      if (value >= highest - kRounding && ticks.values.size() > 1) return ticks;
+    }
+  }
 }
 
 double round_number_below(double limit) {

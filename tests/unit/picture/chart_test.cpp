@@ -105,6 +105,55 @@ TEST(Chart, PutsPointsInProportion) {
   EXPECT_LT(line[1].y, line[0].y) << "a larger value lies higher on the page";
 }
 
+TEST(Chart, PutsEqualFactorsAtEqualDistancesOnLogarithmicAxes) {
+  Chart chart{.log_x = true, .log_y = true};
+  // Given points on y = x^2, a factor of ten apart.
+  chart.series = {{"line", {0.1, 1, 10, 100}, {0.01, 1, 100, 10000}}};
+  const auto line = polylines(chart_svg(chart)).at(0);
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    EXPECT_NEAR(line[i].x - line[i - 1].x, line[1].x - line[0].x, 0.05);
+    EXPECT_NEAR(line[i].y - line[i - 1].y, line[1].y - line[0].y, 0.05);
+  }
+  // And a point that has no logarithm, then there is a gap.
+  chart.series[0].y[1] = 0;
+  EXPECT_EQ(polylines(chart_svg(chart)).at(0).size(), 2U);
+}
+
+TEST(Chart, DrawsMarksInPlaceOfLinesAndNotesBesideThem) {
+  Chart chart;
+  chart.series = {{"circles", {0, 1, 2}, {0, 1, 2}, true}, {"squares", {0, 1}, {2, 1}, true}};
+  chart.notes = {{1, 1, "at the right"}, {1, 1, "at the left", true}};
+  const std::string svg = chart_svg(chart);
+  EXPECT_TRUE(polylines(svg).empty());
+  const auto count = [&](const std::string& what) {
+    const std::regex pattern(what);
+    return std::distance(std::sregex_iterator(svg.begin(), svg.end(), pattern), std::sregex_iterator());
+  };
+  EXPECT_EQ(count("<circle "), 3 + 1) << "one of them in the legend";
+  EXPECT_EQ(count("<rect [^>]*width=\"7\""), 2 + 1);
+  EXPECT_EQ(count("text-anchor=\"start\">at the right<"), 1);
+  EXPECT_EQ(count("text-anchor=\"end\">at the left<"), 1);
+}
+
+TEST(Chart, LeavesSeriesWithoutANameOutOfTheLegend) {
+  Chart chart;
+  chart.series = {{"", {0, 1}, {0, 1}, true}, {"line", {0, 1}, {1, 2}}};
+  const std::string svg = chart_svg(chart);
+  EXPECT_THAT(svg, HasSubstr(">line<"));
+  static const std::regex kCircle{"<circle "};
+  EXPECT_EQ(std::distance(std::sregex_iterator(svg.begin(), svg.end(), kCircle), std::sregex_iterator()), 2);
+}
+
+TEST(Chart, SeveralStandOneBelowTheOther) {
+  Chart upper = wavy_chart();
+  upper.height = 300;
+  const std::string svg = charts_svg({upper, wavy_chart()});
+  EXPECT_TRUE(is_well_formed(svg));
+  EXPECT_THAT(svg, HasSubstr("width=\"760\" height=\"800\""));
+  EXPECT_THAT(svg, HasSubstr("<g transform=\"translate(0 300)\">"));
+  EXPECT_EQ(polylines(svg).size(), 14U);
+}
+
 TEST(Chart, BeginsAtZeroIfOnlyNoiseIsBelowIt) {
   const auto with_least = [](double least) { return chart_svg({.series = {{"", {0, 1, 2}, {0, least, 8}}}}); };
   EXPECT_THAT(with_least(-0.1), Not(HasSubstr(">-2<")));

@@ -49,6 +49,21 @@ TEST(Ticks, ARangeWithoutWidthIsWidened) {
   EXPECT_GT(nice_ticks(0, std::numeric_limits<double>::infinity(), 5).values.size(), 2U);
 }
 
+TEST(Ticks, OfALogarithmicAxisEncloseTheRange) {
+  const auto between = [](double lowest, double highest) {
+    return nice_log_ticks(std::log10(lowest), std::log10(highest));
+  };
+  // Given a range of less than three powers of ten, then one of more, then one that ends on ticks, and one of no width.
+  EXPECT_THAT(between(0.03, 7).labels, ElementsAre("0.02", "0.05", "0.1", "0.2", "0.5", "1", "2", "5", "10"));
+  EXPECT_THAT(between(3, 4e3).labels, ElementsAre("1", "10", "100", "1000", "10000"));
+  EXPECT_THAT(between(2, 50).labels, ElementsAre("2", "5", "10", "20", "50"));
+  EXPECT_THAT(between(5, 5).labels, ElementsAre("5", "10"));
+  const double infinity = std::numeric_limits<double>::infinity();
+  EXPECT_THAT(nice_log_ticks(infinity, -infinity).labels, ElementsAre("1", "2", "5", "10"));
+  // Then values are the logarithms of what the labels say.
+  EXPECT_THAT(between(2, 20).values, Pointwise(DoubleNear(1e-12), {std::log10(2), std::log10(5), 1.0, std::log10(20)}));
+}
+
 TEST(Ticks, RoundNumberBelowIsTheLargestOneTwoOrFive) {
   EXPECT_DOUBLE_EQ(round_number_below(9.99), 5);
   EXPECT_DOUBLE_EQ(round_number_below(5), 5);
