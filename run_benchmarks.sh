@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds KnitMech and runs its benchmarks one after the other, on an otherwise idle machine please.
-# That takes some twenty minutes. With arguments, which go to the small benchmarks, only these run:
+# That takes some twenty minutes and renews the tables and the picture of docs/performance.md. With arguments, which go to the
+# small benchmarks, only these run:
 # ./run_benchmarks.sh --benchmark_filter=contact
 source "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/tools/set_up.sh"
 
@@ -16,15 +17,8 @@ done
 (($# == 0)) || exit 0
 
 say "
-Large fabrics: wales, courses, centreline, elements, set-up [s], 200 steps [s], nanoseconds per element and step, contacts,
-bytes per element after the set-up, and at most."
-for size in 30 100; do
-  build/release/bench/scale "$size" "$size" smooth 200
-done
-
-say "
-Times to a curve:"
-bench/curves.sh
+Tables and picture of docs/performance.md:"
+bench/renew_document.sh
 
 say "
 Ways to the curve:"
