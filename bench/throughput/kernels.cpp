@@ -27,13 +27,14 @@ constexpr Cost kIntegration{10 + 10 + 6 + 68, (2 + 6 + 2 * 13) * kEntry};
 // solve/selective_mass.cpp. 2 operations in each direction to eliminate, 4 to substitute. Reads and writes forces 3
 // twice over; reads factors 2 and 4, mass 1.
 constexpr Cost kSelectiveMass{3 * 2 + 3 * 4, (4 * 3 + 2 + 4 + 1) * kEntry};
-// contact/centreline.cpp. 26 in move_nodes, 30 for each of three vectors in turn_all. Reads position 3, rotation 4,
-// both as they were 7, rotation again 4, stress-free vectors 6; writes 7; sets moved 1, turned vectors 9.
-constexpr Cost kSmoothLine{26 + 3 * 30, (7 + 2 * 7 + 4 + 6 + 2 * 10) * kEntry};
-// contact/centreline.cpp, move_chords. Reads position 3, the same as it was 3; writes 3; sets moved 1.
+// contact/centreline.cpp. 12 in move_nodes; in turn_all 30 for each of three vectors and 8 for its change, 6 for what
+// the line moved by them. Reads position 3, rotation 4, stress-free vectors 6; reads and writes position as it was 3,
+// turned vectors 9; sets moved 1, turned 1, the first of which is read and written again.
+constexpr Cost kSmoothLine{12 + 3 * 38 + 6, (3 + 4 + 6 + 2 * (3 + 9) + 2 * 2 + 2) * kEntry};
+// contact/centreline.cpp, move_nodes. Reads position 3, the same as it was 3; writes 3; sets moved 1.
 constexpr Cost kChordLine{12, (3 + 2 * 3 + 2) * kEntry};
-// contact/motion.cpp, add_moves. Reads moved 1, motion 1, bound 1; writes motion 1.
-constexpr Cost kMotion{3, 4 * kEntry};
+// contact/motion.cpp, add_moves. Reads moved 1, turned 1, bound 1; reads and writes motion 1, its part by turning 1.
+constexpr Cost kMotion{4, (3 + 2 * 2) * kEntry};
 
 Cost sum(const std::vector<KernelTime>& kernels) {
   Cost all{};
@@ -69,7 +70,7 @@ class Parts {
     constexpr double kStep = 1e-6;  // [s]; does not matter
     add("beams", kBeams, [&] { beam::set_internal_force(elements_, state_, kStep, work_, loads_, team_); });
     add("centreline", line_.is_smooth() ? kSmoothLine : kChordLine, [&] { line_.update(state_, {}, kStep, team_); });
-    add("motion", kMotion, [&] { motion_.add(line_.moved(), 0, team_); });
+    add("motion", kMotion, [&] { motion_.add(line_.moved(), line_.turned(), 0, team_); });
     // Zero forces stay zero; others would fade from call to call into numbers that the processor is slow with.
     add("selective mass", kSelectiveMass, [&] { masses_.share(no_loads_, team_); });
     add("integration", kIntegration, [&] {

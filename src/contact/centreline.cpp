@@ -39,8 +39,8 @@ KNITMECH_INLINE double turn_one(double w, Vector3 q, const Turning& v, std::size
 /// Adds to the motion of the nodes what the line moves by their turning.
 /// \param reach what it moves per change of a tangent at most [mm]
 KNITMECH_VECTORISE void turn_all(const model::RotationArray& rotation, Turning tangent, Turning bow_after,
-                                 Turning bow_before, double reach, double* __restrict moved,
-                                 double* __restrict turned, std::size_t begin, std::size_t end) {
+                                 Turning bow_before, double reach, double* __restrict moved, double* __restrict turned,
+                                 std::size_t begin, std::size_t end) {
   const double* w = rotation.w.data();
   const double* qx = rotation.x.data();
   const double* qy = rotation.y.data();
@@ -69,7 +69,7 @@ struct NodeArrays {
 
 /// Takes over positions. \param shift, stretch displacement along y that is not counted: shift [mm] + stretch [-] y
 KNITMECH_VECTORISE void move_nodes(const NodeArrays a, double shift, double stretch, std::size_t begin,
-                                    std::size_t end) {
+                                   std::size_t end) {
 #pragma GCC ivdep
   for (std::size_t i = begin; i < end; ++i) {
     const double dx = a.x[i] - a.x0[i];
@@ -116,13 +116,9 @@ void Centreline::set_stress_free(const model::Model& model) {
 void Centreline::update(const model::State& state, CommonMotion common, double step, const base::ThreadTeam& team) {
   const model::VectorArray& x = state.position;
   const std::size_t n = x.size();
-  const NodeArrays nodes{x.x.data(),
-                         x.y.data(),
-                         x.z.data(),
-                         node_position_.x.data(),
-                         node_position_.y.data(),
-                         node_position_.z.data(),
-                         moved_.data()};
+  const NodeArrays nodes{
+      x.x.data(),   x.y.data(), x.z.data(), node_position_.x.data(), node_position_.y.data(), node_position_.z.data(),
+      moved_.data()};
   const double shift = common.start * step;
   const double stretch = common.rate * step;
   team.for_ranges(n, base::kBlock, [&](std::size_t begin, std::size_t end) {

@@ -92,8 +92,8 @@ class Centreline {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(base::left_out(smooth_, length_, longest_third_, largest_bow_, stress_free_tangent_, stress_free_bow_), tangent_,
-            bow_after_, bow_before_, node_position_, moved_, turned_);
+    archive(base::left_out(smooth_, length_, longest_third_, largest_bow_, stress_free_tangent_, stress_free_bow_),
+            tangent_, bow_after_, bow_before_, node_position_, moved_, turned_);
   }
 
  private:

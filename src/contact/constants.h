@@ -6,7 +6,7 @@ namespace knitmech::contact {
 /// Skin of the neighbour lists, in units of the larger yarn diameter [-]. Pairs nearer than this are kept in the list,
 /// which stays valid until a node has moved half of it. Larger: fewer searches, more pairs in the list, most of which
 /// sleep.
-inline constexpr double kSkin = 1.2;
+inline constexpr double kSkin = 0.4;
 
 /// Motion of an element, as a share of the skin, from which on its neighbours are searched when those of another have
 /// to be, at a half [-]. Smaller: fewer searches, of more elements each.

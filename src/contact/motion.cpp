@@ -60,8 +60,8 @@ void Motion::add(const std::vector<double>& moved, const std::vector<double>& tu
                  const base::ThreadTeam& team) {
   std::atomic<bool> has_reached = false;
   team.for_ranges(of_element_.size() - 1, base::kBlock, [&](std::size_t begin, std::size_t end) {
-    const double beyond = add_moves(moved.data(), turned.data(), besides, bound_.data(), of_element_.data(),
-                                    turned_.data(), begin, end);
+    const double beyond =
+        add_moves(moved.data(), turned.data(), besides, bound_.data(), of_element_.data(), turned_.data(), begin, end);
     if (beyond >= 0) has_reached = true;
   });
   has_reached_a_bound_ = has_reached;

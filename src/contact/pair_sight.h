@@ -16,9 +16,9 @@ namespace knitmech::contact {
 /// elements move against each other, the largest of the four pairs, and both lines turn. Yarns that move together, as
 /// those do that bear on each other, are not nearer afterwards however far they went.
 struct PairSight {
-  Vector3 apart{};              ///< from the start of the first element to that of the second [mm]
-  Vector3 first{}, second{};    ///< chords of the elements [mm]
-  double turned = 0;            ///< what both lines had moved since the start by the turning of their nodes [mm]
+  Vector3 apart{};            ///< from the start of the first element to that of the second [mm]
+  Vector3 first{}, second{};  ///< chords of the elements [mm]
+  double turned = 0;          ///< what both lines had moved since the start by the turning of their nodes [mm]
 
   template <class Archive>
   void serialize(Archive& archive) {

@@ -111,7 +111,7 @@ class PairWatch {
   /// Pairs on each element: entries of on_element_ from first_on_ of the element to that of the next one. None until
   /// they are needed.
   std::vector<std::uint32_t> first_on_, on_element_;
-  std::vector<std::size_t> at_bound_;           ///< elements that have nearly reached their bound
+  std::vector<std::size_t> at_bound_;            ///< elements that have nearly reached their bound
   std::vector<std::vector<std::size_t>> found_;  ///< by each thread
 };
 

@@ -10,8 +10,8 @@
 
 namespace knitmech::contact {
 
-/// Springs between places of yarns, as far as it matters for the highest frequency that they give the nodes: the sizes of
-/// the entries of their stiffness, |K|. A place is made up of the displacements and the rotations of two nodes; of a
+/// Springs between places of yarns, as far as it matters for the highest frequency that they give the nodes: the sizes
+/// of the entries of their stiffness, |K|. A place is made up of the displacements and the rotations of two nodes; of a
 /// rotation counts the length of its arm.
 class Springs {
  public:

@@ -61,8 +61,8 @@ class YarnContact {
   template <class Archive>
   void serialize(Archive& archive) {
     archive(base::left_out(elements_, pieces_, law_, skin_, smooth_forces_), centreline_, common_motion_, motion_,
-            watch_, followed_, near_, chord_forces_, friction_loss_, largest_penetration_, lost_,
-            crossing_watch_, ravelled_, searches_, crossing_checks_);
+            watch_, followed_, near_, chord_forces_, friction_loss_, largest_penetration_, lost_, crossing_watch_,
+            ravelled_, searches_, crossing_checks_);
   }
 
  private:

@@ -81,10 +81,9 @@ class ExplicitSolver {
                            first_step_),
             pieces_);
     if constexpr (Archive::is_loading::value) make_parts_of_pieces();
-    archive(work_, folds_, contact_, ties_, grips_, pull_, state_, loads_, step_, kick_, step_in_use_,
-            calm_looks_, breaks_, broken_, earlier_, untold_, n_gathered_, break_loss_,
-            mass_damping_loss_, largest_penetration_, impulse_top_, impulse_bottom_, impulse_time_, forces_are_current_,
-            is_finite_, steps_);
+    archive(work_, folds_, contact_, ties_, grips_, pull_, state_, loads_, step_, kick_, step_in_use_, calm_looks_,
+            breaks_, broken_, earlier_, untold_, n_gathered_, break_loss_, mass_damping_loss_, largest_penetration_,
+            impulse_top_, impulse_bottom_, impulse_time_, forces_are_current_, is_finite_, steps_);
     if constexpr (Archive::is_loading::value) nonlinear_.set_secants(state_, elements_);
   }
 
