@@ -41,7 +41,7 @@ inline constexpr double kEnergyNoise = 1e-3;
 
 /// Finest length d of selective mass as a share of the half stitch [-]: the axial frequency of the yarns is that of
 /// elements of this length. Measured on examples/02-wale-tension against lumped masses: with 0.3, 0.4 and 0.6 the steps
-/// are 2.2, 2.5 and 2.8 times fewer, and the force differs by at most 0.1, 0.3 and 0.3 %, to 22 % strain. Waves as long
+/// are 2.2, 2.5 and 2.8 times fewer, and the force differs by at most 0.1, 0.3 and 0.4 %, to 22 % strain. Waves as long
 /// as a stitch have the inertia of (pi d / 2 l)^2 times their own besides, 0.89 with 0.6; with 0.9, two times their
 /// own, single parts of the curve beyond 26 % strain differ by 2 %. See docs/theory.md, section 10.
 inline constexpr double kSelectiveShare = 0.6;
