@@ -9,55 +9,54 @@
 namespace knitmech::contact {
 
 void PairWatch::renew(const std::vector<char>& is_due, const std::vector<ElementPair>& found) {
-  std::vector<ElementPair> pairs;
-  std::vector<double> wakes;
-  std::vector<std::uint32_t> look_at;
-  std::vector<Look> looks;
-  pairs.reserve(pairs_.size() + found.size());
-  wakes.reserve(pairs_.size() + found.size());
-  look_at.reserve(pairs_.size() + found.size());
-  looks.reserve(looks_.size());
-  const auto add_new = [&](ElementPair pair) {
-    pairs.push_back(pair);
-    wakes.push_back(std::numeric_limits<double>::lowest());
-    look_at.push_back(kNone);
-  };
-  const auto add_old = [&](std::size_t number) {
-    pairs.push_back(pairs_[number]);
-    wakes.push_back(wakes_[number]);
-    const Look* look = last_look(number);
-    look_at.push_back(look == nullptr ? kNone : static_cast<std::uint32_t>(looks.size()));
-    if (look != nullptr) looks.push_back(*look);
-  };
+  PairWatch next;
+  next.reserve(pairs_.size() + found.size(), looks_.size());
   std::size_t old = 0;
   const auto keep_until = [&](ElementPair pair) {
     for (; old < pairs_.size() && pairs_[old] < pair; ++old) {
       const bool was_searched = is_due[static_cast<std::size_t>(pairs_[old].first)] != 0 ||
                                 is_due[static_cast<std::size_t>(pairs_[old].second)] != 0;
-      if (!was_searched) add_old(old);
+      if (!was_searched) next.add(*this, old);
     }
   };
   for (const ElementPair pair : found) {
     keep_until(pair);
-    const bool is_known = old < pairs_.size() && pairs_[old] == pair;
-    if (is_known) {
-      add_old(old++);
+    if (old < pairs_.size() && pairs_[old] == pair) {
+      next.add(*this, old++);
     } else {
-      add_new(pair);
+      next.add(pair);
     }
   }
   keep_until({std::numeric_limits<std::int32_t>::max(), 0});
-  if (4 * pairs.capacity() > 5 * pairs.size()) {
-    pairs.shrink_to_fit();
-    wakes.shrink_to_fit();
-    look_at.shrink_to_fit();
-  }
-  pairs_ = std::move(pairs);
-  wakes_ = std::move(wakes);
-  look_at_ = std::move(look_at);
-  looks_ = std::move(looks);
-  first_on_.clear();
-  wake_all();
+  if (4 * next.pairs_.capacity() > 5 * next.pairs_.size()) next.shrink_to_fit();
+  *this = std::move(next);
+}
+
+void PairWatch::reserve(std::size_t n_pairs, std::size_t n_looks) {
+  pairs_.reserve(n_pairs);
+  wakes_.reserve(n_pairs);
+  look_at_.reserve(n_pairs);
+  looks_.reserve(n_looks);
+}
+
+void PairWatch::shrink_to_fit() {
+  pairs_.shrink_to_fit();
+  wakes_.shrink_to_fit();
+  look_at_.shrink_to_fit();
+}
+
+/// Adds a pair that is awake.
+void PairWatch::add(ElementPair pair) {
+  pairs_.push_back(pair);
+  wakes_.push_back(std::numeric_limits<double>::lowest());
+  look_at_.push_back(kNone);
+}
+
+/// Adds a pair of another watch with what is known of it.
+void PairWatch::add(const PairWatch& other, std::size_t pair) {
+  add(other.pairs_[pair]);
+  wakes_.back() = other.wakes_[pair];
+  if (const Look* look = other.last_look(pair)) note(pairs_.size() - 1, *look);
 }
 
 void PairWatch::sort_by_elements(const ContactElements& pieces, std::size_t n_elements) {

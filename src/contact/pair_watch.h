@@ -95,6 +95,10 @@ class PairWatch {
   [[nodiscard]] double left_to(const ContactElements& pieces, const Motion& motion, std::size_t pair) const {
     return wakes_[pair] - motion_of(pieces, motion, pair);
   }
+  void reserve(std::size_t n_pairs, std::size_t n_looks);
+  void shrink_to_fit();
+  void add(ElementPair pair);
+  void add(const PairWatch& other, std::size_t pair);
   void sort_by_elements(const ContactElements& pieces, std::size_t n_elements);
   template <typename Call>
   void for_pairs_on(std::size_t element, const Call& call) const {

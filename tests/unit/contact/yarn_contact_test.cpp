@@ -160,9 +160,9 @@ TEST(YarnContact, GivenACrossingThatMovesOnToElementsThatHadMovedLess_ThenItGoes
   // Given a yarn that crosses another just behind its node 5, hardly apart, while node 7 has shaken by millimetres.
   const double gap = 0.003;
   const double height = kDiameter + gap;
-  model::Model model = model_of({test::straight({0, 0, 0}, {10, 0, 0}, 10),
-                                 test::straight({5.002, -4.5, height}, {5.002, 5.5, height}, 10)},
-                                0.0);
+  model::Model model = model_of(
+      {test::straight({0, 0, 0}, {10, 0, 0}, 10), test::straight({5.002, -4.5, height}, {5.002, 5.5, height}, 10)},
+      0.0);
   model.centreline = model::Centreline::smooth;
   YarnContact contact(model);
   model::State state = test::state_of(model);
