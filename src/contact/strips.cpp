@@ -63,7 +63,7 @@ void OverlapWork::place(const StepOfContacts& step, const ContactElements& piece
   const auto first = overlap.laid[awake_.front().strip].number;
   const auto last = overlap.laid[awake_.back().strip].number;
   first_middle_ = static_cast<std::size_t>(first);
-  middles_.add(row_of(pieces, overlap.strips, first + 0.5, 1, static_cast<std::size_t>(last - first + 1)), step.line,
+  middles_.add(row_of(pieces, overlap.strips, first + 0.5, 1, static_cast<std::size_t>(last - first) + 1), step.line,
                step.state);
   for (const CellRow& row : overlap.rows) {
     points_.add(row_of(pieces, row.cells, row.first, 0.5, static_cast<std::size_t>(row.n_points())), step.line,
