@@ -10,7 +10,7 @@ EvenStretch::EvenStretch(const model::Model& model, const beam::NodalInertia& in
       shared_mass_(model.nodes.size()),
       gripped_(model.nodes.size()) {
   for (const std::string& grip : {model.test.held_set, model.test.driven_set}) {
-    for (const int node : model.node_sets.at(grip)) gripped_[static_cast<std::size_t>(node)] = true;
+    for (const int node : model.node_sets.at(grip)) gripped_[static_cast<std::size_t>(node)] = 1;
   }
   const auto [low, high] = std::minmax_element(model.nodes.begin(), model.nodes.end(),
                                                [](const auto& a, const auto& b) { return a.y() < b.y(); });
