@@ -89,7 +89,7 @@ struct Strip {
   std::int32_t first_span = 0, n_spans = 0;
   YarnPlace at{};         ///< middle of the strip
   YarnPlace other{};      ///< the point of the other yarn that presses most, or is nearest
-  double wake = 0;        ///< motion of the elements since the last search before which no force can be here [mm]
+  double wake = 0;        ///< motion of the elements since the start before which no force can be here [mm]
   ContactState now = {};  ///< normal and slip are those from the yarn of the strip to the other
 
   template <class Archive>
