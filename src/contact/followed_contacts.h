@@ -25,11 +25,11 @@ struct Crossing {
   YarnPlace first{}, second{};  ///< first.element < second.element
   double gap = 0;               ///< [mm], when last looked at
   bool is_minimum = true;       ///< when last looked at
-  double wake = 0;          ///< motion of both elements since the start before which no force can be here [mm]
-  bool is_short = false;    ///< counts; else strips count the overlap
-  double first_reach = 0;   ///< how far the overlap may reach along the first yarn from here [mm]
-  double second_reach = 0;  ///< along the second
-  CrossingReach laid = {};  ///< as the strips around it were laid
+  double wake = 0;              ///< motion of both elements since the start before which no force can be here [mm]
+  bool is_short = false;        ///< counts; else strips count the overlap
+  double first_reach = 0;       ///< how far the overlap may reach along the first yarn from here [mm]
+  double second_reach = 0;      ///< along the second
+  CrossingReach laid = {};      ///< as the strips around it were laid
   ContactState now = {};
 
   [[nodiscard]] CrossingReach reach() const { return {first, second, first_reach, second_reach, is_short}; }

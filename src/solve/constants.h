@@ -74,9 +74,9 @@ inline constexpr double kSlowestPace = 0.6;
 inline constexpr double kTautEnergy = 0.03;
 
 /// Kinetic energy of the motion relative to an even stretch over strain energy that the pace tends to [-]. Larger:
-/// faster, and the fabric comes to rest less between two snaps. Measured on the fabric of the main example to 42 %:
-/// with 0.007, 0.01 and 0.02 it takes 248 000, 217 000 and 177 000 steps, and the work is 1.6 and 2.8 % larger than
-/// with the first.
+/// faster, and the fabric comes to rest less between two snaps. Measured on the fabric of the main example to 42 %,
+/// when kSelectiveShare was 0.3: with 0.007, 0.01 and 0.02 it took 248 000, 217 000 and 177 000 steps, and the work was
+/// 1.6 and 2.8 % larger than with the first.
 inline constexpr double kStrayGoal = 0.01;
 
 /// Kinetic over strain energy that the pace tends to where results are judged [-]; the limit there is 0.05 (see
