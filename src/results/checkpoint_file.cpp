@@ -52,9 +52,9 @@ void take_from(const std::string& bytes, Checkpoint& checkpoint) {
       checkpoint.case_text, checkpoint.record);
 }
 
-[[nodiscard]] InputError refusal(const fs::path& dir, const std::string& why) {
-  return InputError(fmt::format(
-      "The run in \"{0}\" cannot go on: {1}; start it anew with knitmech run \"{0}/case.toml\".", dir.string(), why));
+[[nodiscard]] std::string refusal(const fs::path& dir, const std::string& why) {
+  return fmt::format("The run in \"{0}\" cannot go on: {1}; start it anew with knitmech run \"{0}/case.toml\".",
+                     dir.string(), why);
 }
 
 /// Words of the first line.
@@ -84,7 +84,7 @@ void refuse_what_has_ended(const fs::path& dir) {
         "The run in \"{}\" has failed and would fail again; its summary.json says why and what to try.", dir.string()));
   }
   if (!fs::exists(dir / kCheckpointFile)) {
-    throw refusal(dir, fmt::format("it ended before its first {}", kCheckpointFile));
+    throw InputError(refusal(dir, fmt::format("it ended before its first {}", kCheckpointFile)));
   }
 }
 
@@ -100,22 +100,22 @@ Checkpoint read_checkpoint(const fs::path& dir) {
   const std::string content = read_file(dir / kCheckpointFile);
   const std::size_t end_of_head = content.find('\n');
   const Head head = read_head(std::string_view(content).substr(0, end_of_head));
-  const InputError damaged = refusal(dir, fmt::format("its {} is damaged", kCheckpointFile));
-  if (end_of_head == std::string::npos || head.format != kFormat) throw damaged;
+  const auto damaged = [&dir] { return InputError(refusal(dir, fmt::format("its {} is damaged", kCheckpointFile))); };
+  if (end_of_head == std::string::npos || head.format != kFormat) throw damaged();
   if (head.version != KNITMECH_VERSION) {
-    throw refusal(
-        dir, fmt::format("its {} is of KnitMech {} and this is {}", kCheckpointFile, head.version, KNITMECH_VERSION));
+    throw InputError(refusal(
+        dir, fmt::format("its {} is of KnitMech {} and this is {}", kCheckpointFile, head.version, KNITMECH_VERSION)));
   }
   const std::string_view parts = std::string_view(content).substr(end_of_head + 1);
-  if (head.record > parts.size() || head.solver != parts.size() - head.record) throw damaged;
+  if (head.record > parts.size() || head.solver != parts.size() - head.record) throw damaged();
   const std::string record(parts.substr(0, head.record));
   Checkpoint checkpoint;
   checkpoint.solver = parts.substr(head.record);
-  if (head_line(record, checkpoint.solver) != content.substr(0, end_of_head + 1)) throw damaged;
+  if (head_line(record, checkpoint.solver) != content.substr(0, end_of_head + 1)) throw damaged();
   try {
     take_from(record, checkpoint);
   } catch (const std::exception&) {
-    throw refusal(dir, fmt::format("its {} is of another KnitMech {}", kCheckpointFile, KNITMECH_VERSION));
+    throw InputError(refusal(dir, fmt::format("its {} is of another KnitMech {}", kCheckpointFile, KNITMECH_VERSION)));
   }
   return checkpoint;
 }
