@@ -2,15 +2,15 @@
 
 #include "app/commands.h"
 #include "app/json_text.h"
-#include "app/load_case.h"
 #include "app/run_texts.h"
 #include "model/facts.h"
+#include "run/load_case.h"
 #include "solve/mass_scaling.h"
 
 namespace knitmech::app {
 
 ExitCode run_command(const CheckOptions& options) {
-  const LoadedCase loaded = load_case(options.case_file);
+  const run::LoadedCase loaded = run::load_case(options.case_file);
   const model::FabricFacts facts = model::describe(loaded.input, loaded.model);
   const double mass_scaling = loaded.input.solver.mass_scaling ? *loaded.input.solver.mass_scaling
                                                                : solve::automatic_mass_scaling(loaded.model);

@@ -6,17 +6,17 @@
 #include <system_error>
 
 #include "app/commands.h"
-#include "app/load_case.h"
 #include "base/errors.h"
 #include "base/text.h"
 #include "exchange/abaqus_writer.h"
 #include "results/atomic_file.h"
+#include "run/load_case.h"
 #include "solve/mass_scaling.h"
 
 namespace knitmech::app {
 namespace {
 
-std::string abaqus_text(const LoadedCase& loaded) {
+std::string abaqus_text(const run::LoadedCase& loaded) {
   exchange::AbaqusOptions options;
   options.mass_scaling = loaded.input.solver.mass_scaling ? *loaded.input.solver.mass_scaling
                                                           : solve::automatic_mass_scaling(loaded.model);
@@ -29,7 +29,7 @@ std::string abaqus_text(const LoadedCase& loaded) {
 }  // namespace
 
 ExitCode run_command(const ExportOptions& options) {
-  const LoadedCase loaded = load_case(options.case_file);
+  const run::LoadedCase loaded = run::load_case(options.case_file);
   const std::string text = abaqus_text(loaded);
   if (options.file.empty()) {
     std::cout << text << std::flush;

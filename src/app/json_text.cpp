@@ -41,7 +41,7 @@ Json edge_yarn_json(const model::Case& input, const model::FabricFacts& facts) {
           {"friction", edge_friction(input)}};
 }
 
-Json structure_json(const LoadedCase& loaded, const model::FabricFacts& facts) {
+Json structure_json(const run::LoadedCase& loaded, const model::FabricFacts& facts) {
   return {{"name", structure_name(loaded.input.fabric.structure)},
           {"yarns", loaded.model.yarns.size()},
           {"ties", facts.n_ties},
@@ -73,7 +73,7 @@ std::string error_json(const std::runtime_error& error, ExitCode code) {
   return text_of({{"error", block}});
 }
 
-std::string check_json(const LoadedCase& loaded, const model::FabricFacts& facts, double mass_scaling) {
+std::string check_json(const run::LoadedCase& loaded, const model::FabricFacts& facts, double mass_scaling) {
   const model::Model& model = loaded.model;
   return text_of(
       {{"title", model.title},

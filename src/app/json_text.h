@@ -5,9 +5,9 @@
 #include <string>
 
 #include "app/commands.h"
-#include "app/load_case.h"
 #include "app/yarn_analysis.h"
 #include "model/facts.h"
+#include "run/load_case.h"
 
 namespace knitmech::app {
 
@@ -15,7 +15,8 @@ namespace knitmech::app {
 [[nodiscard]] std::string error_json(const std::runtime_error& error, ExitCode code);
 
 /// What `check --json` prints; the units are in the keys.
-[[nodiscard]] std::string check_json(const LoadedCase& loaded, const model::FabricFacts& facts, double mass_scaling);
+[[nodiscard]] std::string check_json(const run::LoadedCase& loaded, const model::FabricFacts& facts,
+                                     double mass_scaling);
 
 /// What `run --json` prints: the summary of the run folder, and where that is.
 [[nodiscard]] std::string run_json(const std::string& summary, const std::filesystem::path& folder);

@@ -84,7 +84,7 @@ std::string curve_and_strength_text(const model::Model& model) {
 }
 
 /// The yarn and, where there is one, the edge yarn.
-std::vector<Line> yarn_lines(const LoadedCase& loaded, const model::FabricFacts& facts) {
+std::vector<Line> yarn_lines(const run::LoadedCase& loaded, const model::FabricFacts& facts) {
   std::vector<Line> lines = {{"yarn", stiffness_text(facts.section)}};
   const auto add_filaments = [&](const model::YarnStiffness& yarn) {
     const std::string filaments = filaments_text(yarn);
@@ -99,7 +99,7 @@ std::vector<Line> yarn_lines(const LoadedCase& loaded, const model::FabricFacts&
   return lines;
 }
 
-std::string contact_text(const LoadedCase& loaded, const model::FabricFacts& facts) {
+std::string contact_text(const run::LoadedCase& loaded, const model::FabricFacts& facts) {
   const model::Model& model = loaded.model;
   const std::string of_edge =
       facts.edge_section ? fmt::format(" (edge yarn {:.3g})", edge_friction(loaded.input)) : std::string();
@@ -108,25 +108,7 @@ std::string contact_text(const LoadedCase& loaded, const model::FabricFacts& fac
 
 }  // namespace
 
-std::string duration_text(double seconds) {
-  constexpr long kMinute = 60;
-  constexpr long kHour = 3600;
-  const long whole = std::lround(std::max(seconds, 0.0));
-  if (whole < kMinute) return fmt::format("{} s", whole);
-  if (whole < kHour) return fmt::format("{} min {} s", whole / kMinute, whole % kMinute);
-  return fmt::format("{} h {} min", whole / kHour, whole % kHour / kMinute);
-}
-
-std::string percent_text(double ratio) {
-  return fmt::format("{:.3g} %", 100 * ratio);
-}
-
-std::string force_text(double force) {
-  constexpr double kLeastInNewton = 0.1;
-  return std::abs(force) < kLeastInNewton ? fmt::format("{:.3g} mN", 1000 * force) : fmt::format("{:.3g} N", force);
-}
-
-std::string check_text(const LoadedCase& loaded, const model::FabricFacts& facts, double mass_scaling) {
+std::string check_text(const run::LoadedCase& loaded, const model::FabricFacts& facts, double mass_scaling) {
   std::string text = loaded.model.title + "\n";
   const auto add = [&](const char* name, const std::string& value) { text += fmt::format("  {:14}{}\n", name, value); };
   add("fabric", fabric_text(loaded.input.fabric));
@@ -148,8 +130,8 @@ std::string check_text(const LoadedCase& loaded, const model::FabricFacts& facts
   return text;
 }
 
-std::string run_head_text(const LoadedCase& loaded, const model::FabricFacts& facts, double mass_scaling, int threads,
-                          const std::filesystem::path& folder, std::optional<double> resumed_at) {
+std::string run_head_text(const run::LoadedCase& loaded, const model::FabricFacts& facts, double mass_scaling,
+                          int threads, const std::filesystem::path& folder, std::optional<double> resumed_at) {
   std::string text = loaded.model.title + "\n";
   const auto add = [&](const char* name, const std::string& value) { text += fmt::format("  {:14}{}\n", name, value); };
   add("fabric", fabric_text(loaded.input.fabric));

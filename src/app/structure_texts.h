@@ -2,9 +2,9 @@
 
 #include <string>
 
-#include "app/load_case.h"
 #include "model/facts.h"
 #include "model/run_outcome.h"
+#include "run/load_case.h"
 
 namespace knitmech::app {
 

@@ -5,7 +5,7 @@
 #include "model/case.h"
 #include "model/model.h"
 
-namespace knitmech::app {
+namespace knitmech::run {
 
 /// A case and the model built from it.
 struct LoadedCase {
@@ -19,4 +19,4 @@ struct LoadedCase {
 /// @throws FileError if the file cannot be read
 [[nodiscard]] LoadedCase load_case(const std::filesystem::path& path);
 
-}  // namespace knitmech::app
+}  // namespace knitmech::run

@@ -4,10 +4,10 @@
 #include <optional>
 #include <string>
 
-#include "app/load_case.h"
 #include "results/checkpoint_file.h"
+#include "run/load_case.h"
 
-namespace knitmech::app {
+namespace knitmech::run {
 
 /// What a run begins with.
 struct RunStart {
@@ -28,4 +28,4 @@ struct RunStart {
 /// @throws InputError if the run cannot go on, see results::read_checkpoint(), or if the case is another one
 [[nodiscard]] RunStart earlier_run(const std::filesystem::path& folder);
 
-}  // namespace knitmech::app
+}  // namespace knitmech::run

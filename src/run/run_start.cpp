@@ -1,4 +1,4 @@
-#include "app/run_start.h"
+#include "run/run_start.h"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 #include "model/parameters.h"
 #include "model/parameters_text.h"
 
-namespace knitmech::app {
+namespace knitmech::run {
 namespace {
 
 namespace fs = std::filesystem;
@@ -58,4 +58,4 @@ RunStart earlier_run(const fs::path& folder) {
   return {std::move(loaded), std::move(text), folder, std::move(checkpoint)};
 }
 
-}  // namespace knitmech::app
+}  // namespace knitmech::run

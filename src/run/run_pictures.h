@@ -9,7 +9,7 @@
 #include "model/model.h"
 #include "results/run_folder.h"
 
-namespace knitmech::app {
+namespace knitmech::run {
 
 /// The pictures of a run, in the folder pictures/ of its run folder: frame_0000.png and so on, and force-strain.svg.
 class RunPictures {
@@ -44,4 +44,4 @@ class RunPictures {
   int n_dropped_ = 0;
 };
 
-}  // namespace knitmech::app
+}  // namespace knitmech::run

@@ -1,4 +1,4 @@
-#include "app/load_case.h"
+#include "run/load_case.h"
 
 #include <string>
 #include <string_view>
@@ -7,7 +7,7 @@
 #include "model/case_file.h"
 #include "model/parameters.h"
 
-namespace knitmech::app {
+namespace knitmech::run {
 namespace {
 
 /// The key that a message names first; empty if it names none.
@@ -38,4 +38,4 @@ LoadedCase load_case(const std::filesystem::path& path) {
   return loaded;
 }
 
-}  // namespace knitmech::app
+}  // namespace knitmech::run

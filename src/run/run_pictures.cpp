@@ -1,4 +1,4 @@
-#include "app/run_pictures.h"
+#include "run/run_pictures.h"
 
 #include <fmt/format.h>
 
@@ -7,12 +7,12 @@
 #include <system_error>
 #include <utility>
 
-#include "app/run_texts.h"
 #include "base/errors.h"
+#include "base/number_text.h"
 #include "picture/fabric_picture.h"
 #include "picture/force_strain.h"
 
-namespace knitmech::app {
+namespace knitmech::run {
 namespace {
 
 namespace fs = std::filesystem;
@@ -64,7 +64,7 @@ void RunPictures::add_frame(const model::Frame& frame) {
 void RunPictures::draw(const model::Frame& frame) {
   picture::PictureOptions options;
   options.caption =
-      fmt::format("{} strain, {}", percent_text(frame.history.strain), force_text(frame.history.force_top));
+      fmt::format("{} strain, {}", base::percent_text(frame.history.strain), base::force_text(frame.history.force_top));
   try {
     picture::write_fabric_picture(folder_ / frame_name(frame.index), model_, frame, options);
   } catch (const InputError& error) {
@@ -89,4 +89,4 @@ std::function<void()> RunPictures::take_drawing() {
   return [this, frames = std::exchange(frames_, {})] { draw(frames); };
 }
 
-}  // namespace knitmech::app
+}  // namespace knitmech::run
