@@ -178,6 +178,7 @@ void RunFolder::add_history(const model::HistoryRow& row) {
 
 void RunFolder::add_frame(model::Frame frame) {
   record_.frames.push_back({frame.index, frame.history.strain});
+  record_.measures.push_back(measure_frame(frame));
   record_.contacts = summarise_contacts(model_, frame.contacts);
   update(record_.peaks, frame);
   write_history();
@@ -213,9 +214,8 @@ void RunFolder::finish(const model::RunOutcome& outcome) {
   queue_.finish();
   const double diameter = model_.sections.empty() ? 0.0 : model_.sections.front().diameter;
   const Quality quality = assess_quality(record_.history, outcome, diameter);
-  write_file_atomically(dir_ / kSummaryFile,
-                        finished_summary(model_, record_.history, static_cast<int>(record_.frames.size()),
-                                         record_.contacts, record_.peaks, outcome, quality));
+  write_file_atomically(dir_ / kSummaryFile, finished_summary(model_, record_.history, record_.measures,
+                                                              record_.contacts, record_.peaks, outcome, quality));
   if (outcome.status != model::RunStatus::interrupted) remove_own(dir_ / kCheckpointFile);
 }
 

@@ -6,6 +6,7 @@
 #include "model/frame.h"
 #include "results/collection_file.h"
 #include "results/contact_summary.h"
+#include "results/frame_measures.h"
 #include "results/section_peaks.h"
 
 namespace knitmech::results {
@@ -14,12 +15,13 @@ namespace knitmech::results {
 struct RunRecord {
   std::vector<model::HistoryRow> history;
   std::vector<FrameEntry> frames;
+  std::vector<FrameMeasures> measures;     ///< of the same frames
   std::optional<ContactSummary> contacts;  ///< of the last frame
   SectionPeaks peaks;                      ///< of all frames
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(history, frames, contacts, peaks);
+    archive(history, frames, measures, contacts, peaks);
   }
 };
 

@@ -164,6 +164,20 @@ Json quality_block(const Quality& quality) {
           {"crossing_checks", quality.crossing_checks}};
 }
 
+Json frames_block(const std::vector<FrameMeasures>& frames) {
+  Json block = Json::array();
+  for (const FrameMeasures& frame : frames) {
+    block.push_back({{"frame", frame.index},
+                     {"strain", number(frame.strain)},
+                     {"lowest_z_mm", number(frame.lowest_z)},
+                     {"highest_z_mm", number(frame.highest_z)},
+                     {"contacts", frame.contacts},
+                     {"contacts_in_middle_third", number(frame.contacts_in_middle)},
+                     {"contact_force_in_middle_third", number(frame.force_in_middle)}});
+  }
+  return block;
+}
+
 Json breaks_block(const Model& model, const RunOutcome& outcome) {
   Json block = Json::array();
   for (const model::YarnBreak& event : outcome.breaks) {
@@ -199,18 +213,19 @@ std::string running_summary(const Model& model) {
   return text_of(document);
 }
 
-std::string finished_summary(const Model& model, const std::vector<HistoryRow>& history, int n_frames,
-                             const std::optional<ContactSummary>& contacts, const SectionPeaks& peaks,
-                             const RunOutcome& outcome, const Quality& quality) {
+std::string finished_summary(const Model& model, const std::vector<HistoryRow>& history,
+                             const std::vector<FrameMeasures>& frames, const std::optional<ContactSummary>& contacts,
+                             const SectionPeaks& peaks, const RunOutcome& outcome, const Quality& quality) {
   Json document = head(model, status_name(outcome.status));
   document["reason"] = outcome.reason;
   document["advice"] = outcome.advice;
   document["model"] = model_block(model);
-  document["output"] = {{"history_rows", history.size()}, {"frames", n_frames}};
+  document["output"] = {{"history_rows", history.size()}, {"frames", frames.size()}};
   document["solver"] = solver_block(model, outcome);
   document["final"] = final_block(history, outcome);
   document["contact"] = contact_block(contacts);
   document["largest"] = largest_block(model, history, outcome);
+  document["frames"] = frames_block(frames);
   document["largest_in_yarns"] = peaks_block(model, peaks);
   document["quality"] = quality_block(quality);
   document["ravelled"] = ravelled_block(model, outcome);

@@ -9,6 +9,7 @@
 #include "model/model.h"
 #include "model/run_outcome.h"
 #include "results/contact_summary.h"
+#include "results/frame_measures.h"
 #include "results/quality.h"
 #include "results/section_peaks.h"
 
@@ -25,9 +26,9 @@ inline constexpr int kSummarySchema = 1;
 /// there is none, peaks those of all frames. Numbers that are not finite or do not exist are null. Text that is not
 /// valid UTF-8 is written with replacement characters.
 [[nodiscard]] std::string finished_summary(const model::Model& model, const std::vector<model::HistoryRow>& history,
-                                           int n_frames, const std::optional<ContactSummary>& contacts,
-                                           const SectionPeaks& peaks, const model::RunOutcome& outcome,
-                                           const Quality& quality);
+                                           const std::vector<FrameMeasures>& frames,
+                                           const std::optional<ContactSummary>& contacts, const SectionPeaks& peaks,
+                                           const model::RunOutcome& outcome, const Quality& quality);
 
 /// In the run folder.
 inline constexpr const char* kSummaryFile = "summary.json";

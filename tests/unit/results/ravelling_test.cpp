@@ -98,7 +98,7 @@ TEST(Ravelling, TheTextOfSeveralSaysHowManyAndWhichWasFirst) {
 }
 
 nlohmann::json ravelled_in_summary(const model::RunOutcome& outcome) {
-  const std::string text = finished_summary(three_courses(), {}, 0, std::nullopt, {}, outcome, {});
+  const std::string text = finished_summary(three_courses(), {}, {}, std::nullopt, {}, outcome, {});
   return nlohmann::json::parse(text).at("ravelled");
 }
 

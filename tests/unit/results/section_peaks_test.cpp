@@ -53,7 +53,7 @@ TEST(SectionPeaks, GivenAFrame_ThenTheSummaryHasEachValueWithItsPlace) {
   frame.curvature.assign(7, 0.0);
   SectionPeaks peaks;
   update(peaks, frame);
-  const std::string text = finished_summary(model, {}, 1, std::nullopt, peaks, {}, {});
+  const std::string text = finished_summary(model, {}, {}, std::nullopt, peaks, {}, {});
   const nlohmann::json block = nlohmann::json::parse(text).at("largest_in_yarns");
   const nlohmann::json& force = block.at("axial_force_N");
   EXPECT_EQ(force.at("value"), -7);

@@ -45,7 +45,7 @@ TEST(YarnBreaks, TheTextNamesTheFirstPlaceAndCountsTheOthers) {
 TEST(YarnBreaks, TheSummaryListsThemWithTheirPlaces) {
   const model::RunOutcome outcome = with_breaks(1);
   const nlohmann::json summary = nlohmann::json::parse(
-      finished_summary(test::two_yarn_model(), {}, 0, {}, {}, outcome, assess_quality({}, outcome, 0.12)));
+      finished_summary(test::two_yarn_model(), {}, {}, {}, {}, outcome, assess_quality({}, outcome, 0.12)));
   ASSERT_EQ(summary["breaks"].size(), 1U);
   const nlohmann::json& event = summary["breaks"][0];
   EXPECT_EQ(event["strain"], 0.2534);
