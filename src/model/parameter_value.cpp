@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <limits>
+#include <utility>
 
 #include "base/text.h"
 #include "model/parameters_text.h"
@@ -59,10 +59,8 @@ Value quantity_from(const Parameter& parameter, const TomlValue& given) {
 Value whole_number_from(const Parameter& parameter, const TomlValue& given) {
   const auto* whole = std::get_if<std::int64_t>(&given);
   if (whole == nullptr) refuse(parameter, fmt::format("is {}; write a whole number without quotes", in_words(given)));
-  if (!parameter.range.contains(static_cast<double>(*whole))) {
-    const auto limit = [](double each) { return base::format_quantity(each, base::Dimension::number); };
-    throw InputError(fmt::format("must be at least {} and at most {}, but is {}", limit(parameter.range.least),
-                                 limit(parameter.range.greatest), *whole));
+  if (!std::in_range<int>(*whole)) {
+    throw InputError(complaint_about(parameter, static_cast<double>(*whole)));
   }
   return static_cast<int>(*whole);
 }
@@ -99,7 +97,9 @@ Value text_from(const Parameter& parameter, const TomlValue& given) {
   refuse(parameter, fmt::format("is {}; write a text in quotes", in_words(given)));
 }
 
-Value unchecked_value(const Parameter& parameter, const TomlValue& given) {
+}  // namespace
+
+Value unchecked_value_from(const Parameter& parameter, const TomlValue& given) {
   switch (kind_of(parameter)) {
     case Kind::quantity:
       return quantity_from(parameter, given);
@@ -114,10 +114,8 @@ Value unchecked_value(const Parameter& parameter, const TomlValue& given) {
   return text_from(parameter, given);
 }
 
-}  // namespace
-
 Value value_from(const Parameter& parameter, const TomlValue& given) {
-  Value value = unchecked_value(parameter, given);
+  Value value = unchecked_value_from(parameter, given);
   const std::string complaint = complaint_about(parameter, value);
   if (!complaint.empty()) throw InputError(complaint);
   return value;

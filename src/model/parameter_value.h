@@ -11,4 +11,7 @@ namespace knitmech::model {
 /// add
 [[nodiscard]] Value value_from(const Parameter& parameter, const TomlValue& given);
 
+/// The same, but it may lie outside the range of the parameter, or be none of its choices: see complaint_about().
+[[nodiscard]] Value unchecked_value_from(const Parameter& parameter, const TomlValue& given);
+
 }  // namespace knitmech::model

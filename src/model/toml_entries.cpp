@@ -135,24 +135,26 @@ Placed placed(std::string key, const toml::key& where, TomlValue value) {
   return {place, {std::move(key), static_cast<int>(place.line), std::move(value)}};
 }
 
-}  // namespace
-
-std::vector<TomlEntry> toml_entries(std::string_view text) {
-  check_line_lengths(text);
-  const toml::table root = parsed(text);
-  std::vector<Placed> found;
-  for (const auto& [key, node] : root) {
-    const std::string name = unambiguous(key.str());
-    const auto* section = node.as_table();
+/// The entries of a table. \param prefix of its keys, "loop.", empty at the top. \param depth of sections below it
+void collect(const toml::table& table, const std::string& prefix, int depth, std::vector<Placed>& found) {
+  for (const auto& [key, node] : table) {
+    const std::string name = prefix + unambiguous(key.str());
+    const auto* section = depth > 0 ? node.as_table() : nullptr;
     if (section == nullptr) {
       found.push_back(placed(name, key, value_of(node)));
-      continue;
-    }
-    found.push_back(placed(name, key, TomlSection{}));
-    for (const auto& [inner, value] : *section) {
-      found.push_back(placed(name + "." + unambiguous(inner.str()), inner, value_of(value)));
+    } else {
+      found.push_back(placed(name, key, TomlSection{}));
+      collect(*section, name + ".", depth - 1, found);
     }
   }
+}
+
+}  // namespace
+
+std::vector<TomlEntry> toml_entries(std::string_view text, int depth) {
+  check_line_lengths(text);
+  std::vector<Placed> found;
+  collect(parsed(text), "", depth, found);
   std::ranges::stable_sort(found, std::less<>(), &Placed::place);
   std::vector<TomlEntry> entries;
   entries.reserve(found.size());

@@ -42,9 +42,9 @@ class TomlSyntaxError : public InputError {
 
 /// The sections and values of a TOML text in the order of its lines.
 ///
-/// Sections are one deep; a section within a section is a TomlOther. A part of a key that itself holds a dot is in
-/// quotes.
+/// Sections are as deep as is asked for; a section deeper than that is a TomlOther. A part of a key that itself holds a
+/// dot is in quotes.
 /// @throws TomlSyntaxError also for lines longer than 10000 letters, which could nest deeper than the stack reaches
-[[nodiscard]] std::vector<TomlEntry> toml_entries(std::string_view text);
+[[nodiscard]] std::vector<TomlEntry> toml_entries(std::string_view text, int depth = 1);
 
 }  // namespace knitmech::model
