@@ -28,6 +28,7 @@ constexpr const char* kExamples =
     "  knitmech check jersey.toml             see what would be run\n"
     "  knitmech run jersey.toml               simulate; leaves results/jersey\n"
     "  knitmech run --resume results/jersey   go on with a run that was interrupted\n"
+    "  knitmech study study.toml              run many cases; leaves one table\n"
     "  knitmech export jersey.toml -f abaqus -o jersey.inp\n"
     "  knitmech yarn tensile.csv --diameter \"0.12 mm\" --density \"1140 kg/m^3\"\n"
     "  knitmech parameters                    every key of a case file\n"
@@ -86,6 +87,27 @@ void add_run(CLI::App& app, Action& action) {
     if (options->case_file.empty() && options->resume.empty()) throw CLI::RequiredError("CASE");
     action = [options] { return run_command(*options); };
   });
+}
+
+void add_study(CLI::App& app, Action& action) {
+  auto options = std::make_shared<StudyOptions>();
+  CLI::App& command = *app.add_subcommand("study", "Run many cases that differ in some parameters; leaves one table");
+  command.add_option("STUDY", options->study_file, "Study file")->required();
+  command.add_option(
+      "-o,--output", options->folder,
+      "Folder for the results (default: results/ and the name of STUDY, or of its folder if it is called "
+      "study.toml)");
+  command.add_option("--jobs", options->jobs, "Runs at the same time (default: one per processor)")
+      ->check(CLI::Range(1, kMostThreads));
+  command.add_option("--threads", options->threads, "Threads of each run (default: its share of the processors)")
+      ->check(CLI::Range(1, kMostThreads));
+  command.add_flag("--list", options->list, "Only say what would be run");
+  command.add_flag("--quiet", options->quiet, "Write nothing but errors");
+  command.add_flag("--json", options->json, "Write the table as JSON, for scripts, and nothing else");
+  command.footer(
+      "Ctrl-C ends the study and keeps what was computed. The same command goes on with it: what is done is not done "
+      "again.");
+  on_parse(command, action, options);
 }
 
 void add_export(CLI::App& app, Action& action) {
@@ -190,6 +212,7 @@ int run_command_line(int argc, char** argv) {
   add_new(app, action);
   add_check(app, action);
   add_run(app, action);
+  add_study(app, action);
   add_export(app, action);
   add_yarn(app, action);
   add_parameters(app, action);

@@ -33,6 +33,16 @@ struct RunOptions {
   std::optional<int> threads;  ///< empty: as many as serve the fabric
 };
 
+struct StudyOptions {
+  std::string study_file;
+  std::string folder;          ///< empty: results/<name of the study>
+  std::optional<int> jobs;     ///< runs at a time; empty: one per processor
+  std::optional<int> threads;  ///< of each run; empty: its share of the processors
+  bool list = false;           ///< only says what would be run
+  bool quiet = false;
+  bool json = false;
+};
+
 struct ExportOptions {
   std::string case_file;
   std::string format;
@@ -61,6 +71,7 @@ struct ParametersOptions {
 ExitCode run_command(const NewOptions& options);
 ExitCode run_command(const CheckOptions& options);
 ExitCode run_command(const RunOptions& options);
+ExitCode run_command(const StudyOptions& options);
 ExitCode run_command(const ExportOptions& options);
 ExitCode run_command(const YarnOptions& options);
 ExitCode run_command(const ParametersOptions& options);

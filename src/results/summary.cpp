@@ -205,6 +205,13 @@ Json ravelled_block(const Model& model, const RunOutcome& outcome) {
   return block;
 }
 
+/// The text of a key at the top of a summary; empty if there is none.
+std::string text_in_summary(const std::filesystem::path& path, const char* key) {
+  const Json document = Json::parse(read_file(path), nullptr, /*allow_exceptions=*/false);
+  const Json value = document.is_object() ? document.value(key, Json{}) : Json{};
+  return value.is_string() ? value.get<std::string>() : "";
+}
+
 }  // namespace
 
 std::string running_summary(const Model& model) {
@@ -242,8 +249,11 @@ bool is_summary(const std::filesystem::path& path) {
 }
 
 std::string status_in_summary(const std::filesystem::path& path) {
-  const Json status = Json::parse(read_file(path), nullptr, /*allow_exceptions=*/false).value("status", Json{});
-  return status.is_string() ? status.get<std::string>() : "";
+  return text_in_summary(path, "status");
+}
+
+std::string reason_in_summary(const std::filesystem::path& path) {
+  return text_in_summary(path, "reason");
 }
 
 }  // namespace knitmech::results

@@ -39,4 +39,7 @@ inline constexpr const char* kSummaryFile = "summary.json";
 /// The status in the summary.json of a run.
 [[nodiscard]] std::string status_in_summary(const std::filesystem::path& path);
 
+/// Why the run of a summary.json has failed; empty if it has not.
+[[nodiscard]] std::string reason_in_summary(const std::filesystem::path& path);
+
 }  // namespace knitmech::results

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/errors.h"
+#include "model/build_model.h"
 #include "model/case_file.h"
 #include "model/parameters.h"
 #include "model/parameters_text.h"
@@ -13,14 +14,6 @@ namespace knitmech::run {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// results/jersey for some/where/jersey.toml; results/where for some/where/case.toml.
-fs::path default_folder(const fs::path& case_file) {
-  const fs::path whole = fs::absolute(case_file).lexically_normal();
-  const bool named_by_folder = whole.filename() == "case.toml" && whole.parent_path().has_filename();
-  const fs::path name = named_by_folder ? whole.parent_path().filename() : whole.stem();
-  return "results" / name;
-}
 
 std::string value_text(const model::Case& input, const model::Parameter& parameter) {
   const model::Value value = model::value_in(input, parameter);
@@ -38,6 +31,13 @@ void refuse_another_case(const fs::path& file, const model::Case& now, model::Ca
 
 }  // namespace
 
+fs::path default_folder(const fs::path& file) {
+  const fs::path whole = fs::absolute(file).lexically_normal();
+  const fs::path name = whole.filename();
+  const bool named_by_folder = (name == "case.toml" || name == "study.toml") && whole.parent_path().has_filename();
+  return "results" / (named_by_folder ? whole.parent_path().filename() : whole.stem());
+}
+
 std::optional<double> RunStart::resumed_at() const {
   if (!checkpoint) return std::nullopt;
   return checkpoint->record.history.back().strain;
@@ -47,6 +47,10 @@ RunStart new_run(const fs::path& case_file, const fs::path& folder) {
   LoadedCase loaded = load_case(case_file);
   std::string text = model::write_case(loaded.input);
   return {std::move(loaded), std::move(text), folder.empty() ? default_folder(case_file) : folder, {}};
+}
+
+RunStart run_of(const model::Case& input, const fs::path& folder) {
+  return {{.input = input, .model = model::build_model(input)}, model::write_case(input), folder, {}};
 }
 
 RunStart earlier_run(const fs::path& folder) {
