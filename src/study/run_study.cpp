@@ -159,7 +159,8 @@ class Runner {
       if (listener_.on_history) listener_.on_history(state, row);
     };
     listener.keep_going = [this] { return keeps_going(); };
-    const run::RunSettings settings{run::resolved_settings(start.loaded, settings_.threads), true};
+    const run::RunSettings settings{.simulation = run::resolved_settings(start.loaded, settings_.threads),
+                                    .pictures = false};
     const run::RunResult result = run::run_case(start, settings, listener);
     switch (result.outcome.status) {
       case model::RunStatus::completed:

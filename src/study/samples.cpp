@@ -41,7 +41,6 @@ Samples latin_hypercube(std::size_t n_samples, std::size_t n_dimensions, std::ui
 
 Samples sobol(std::size_t n_samples, std::size_t n_dimensions) {
   boost::random::sobol sequence(n_dimensions);
-  sequence.discard(n_dimensions);
   const double span = static_cast<double>(boost::random::sobol::max()) + 1;
   Samples samples(n_samples, std::vector<double>(n_dimensions));
   for (auto& sample : samples) {

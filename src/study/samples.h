@@ -16,7 +16,7 @@ using Samples = std::vector<std::vector<double>>;
 /// variables in the analysis of output from a computer code. Technometrics 21 (1979), doi:10.2307/1268522.
 [[nodiscard]] Samples latin_hypercube(std::size_t n_samples, std::size_t n_dimensions, std::uint64_t seed);
 
-/// The first points of Sobol's sequence (Boost.Random), without its point at the origin: 0.5, then 0.75, 0.25, ...
+/// The first points of Sobol's sequence (Boost.Random), which leave out the origin: 0.5, then 0.75, 0.25, ...
 ///
 /// Source: S. Joe, F. Y. Kuo: Constructing Sobol sequences with better two-dimensional projections. SIAM J. Sci.
 /// Comput. 30 (2008), doi:10.1137/070709359.
