@@ -39,19 +39,6 @@ std::vector<double> tube_radii(const Model& model) {
   return radii;
 }
 
-struct NamedElementValues {
-  const char* name;
-  const std::vector<double>& values;
-};
-
-std::vector<NamedElementValues> element_fields(const Frame& frame) {
-  return {{"axial_force_N", frame.axial_force},         {"shear_force_N", frame.shear_force},
-          {"bending_moment_Nmm", frame.bending_moment}, {"torque_Nmm", frame.torque},
-          {"axial_strain", frame.axial_strain},         {"curvature_per_mm", frame.curvature},
-          {"stretch_energy_mJ", frame.stretch_energy},  {"bending_energy_mJ", frame.bending_energy},
-          {"twist_energy_mJ", frame.twist_energy}};
-}
-
 void add_field_arrays(const Model& model, const Frame& frame, const TextSink& add) {
   const model::HistoryRow& row = frame.history;
   add(vtk_field_array("strain", {row.strain}));
@@ -59,14 +46,14 @@ void add_field_arrays(const Model& model, const Frame& frame, const TextSink& ad
   add(vtk_field_array("displacement_mm", {row.displacement}));
   add(vtk_field_array("force_top_N", {row.force_top}));
   add(vtk_field_array("force_bottom_N", {row.force_bottom}));
-  for (const auto& [name, values] : element_fields(frame)) {
-    add(vtk_field_array(std::string{"element_"} + name, elements_only(model, values)));
+  for (const auto& [name, values] : kElementFields) {
+    add(vtk_field_array(std::string{kElementPrefix} + name, elements_only(model, frame.*values)));
   }
 }
 
 void add_point_arrays(const Model& model, const Frame& frame, const TextSink& add) {
-  for (const auto& [name, values] : element_fields(frame)) {
-    add(vtk_array(name, average_to_nodes(model, frame.broken, values)));
+  for (const auto& [name, values] : kElementFields) {
+    add(vtk_array(name, average_to_nodes(model, frame.broken, frame.*values)));
   }
   add(vtk_array("contact_force_N", frame.contact_force));
   add(vtk_array("contact_force_magnitude_N", magnitudes(frame.contact_force)));
@@ -111,8 +98,8 @@ void check_sizes(const Model& model, const Frame& frame) {
   const std::size_t count = model.nodes.size();
   bool fits = frame.points.size() == count && frame.rotations.size() == count && frame.contact_force.size() == count &&
               frame.tie_force.size() == count && frame.gap.size() == count;
-  for (const NamedElementValues& field : element_fields(frame)) {
-    fits = fits && field.values.size() == count;
+  for (const ElementField& field : kElementFields) {
+    fits = fits && (frame.*field.values).size() == count;
   }
   if (!fits) {
     throw std::invalid_argument(fmt::format("Frame {} does not belong to the model of {} nodes.", frame.index, count));

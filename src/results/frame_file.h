@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <string>
+#include <vector>
 
 #include "model/frame.h"
 #include "model/model.h"
@@ -10,6 +12,24 @@ namespace knitmech::results {
 
 /// Name of the file of a frame inside the folder frames/: frame_0000.vtp, frame_0001.vtp, ...
 [[nodiscard]] std::string frame_file_name(int index);
+
+/// A quantity of the elements: its name in the file, where frames have it.
+struct ElementField {
+  const char* name;
+  std::vector<double> model::Frame::*values;
+};
+inline constexpr std::array<ElementField, 9> kElementFields = {{{"axial_force_N", &model::Frame::axial_force},
+                                                                {"shear_force_N", &model::Frame::shear_force},
+                                                                {"bending_moment_Nmm", &model::Frame::bending_moment},
+                                                                {"torque_Nmm", &model::Frame::torque},
+                                                                {"axial_strain", &model::Frame::axial_strain},
+                                                                {"curvature_per_mm", &model::Frame::curvature},
+                                                                {"stretch_energy_mJ", &model::Frame::stretch_energy},
+                                                                {"bending_energy_mJ", &model::Frame::bending_energy},
+                                                                {"twist_energy_mJ", &model::Frame::twist_energy}}};
+
+/// Before the name of a field of kElementFields where its values are given per element, not at the nodes.
+inline constexpr const char* kElementPrefix = "element_";
 
 /// Gives a frame as a ParaView .vtp file to a sink, in pieces (vtk_xml.h): one polyline per yarn, fields at its nodes.
 /// A yarn that has broken is as many polylines as it has pieces; the nodes of a piece of one node belong to none.

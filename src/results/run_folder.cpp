@@ -25,13 +25,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kCaseFile = "case.toml";
-constexpr const char* kHistoryFile = "history.csv";
-constexpr const char* kLogFile = "log.txt";
-constexpr const char* kFramesFolder = "frames";
-constexpr const char* kFramesCollection = "frames.pvd";
-constexpr const char* kContactsCollection = "contacts.pvd";
-
 [[nodiscard]] FileError folder_error(const fs::path& dir, const std::error_code& code) {
   return FileError{fmt::format("Cannot write the run folder \"{}\": {}.", dir.string(), code.message())};
 }

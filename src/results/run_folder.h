@@ -13,6 +13,14 @@
 
 namespace knitmech::results {
 
+/// Names inside a run folder, beside kSummaryFile and kCheckpointFile; the lists of frames are in the folder of frames.
+inline constexpr const char* kCaseFile = "case.toml";
+inline constexpr const char* kHistoryFile = "history.csv";
+inline constexpr const char* kLogFile = "log.txt";
+inline constexpr const char* kFramesFolder = "frames";
+inline constexpr const char* kFramesCollection = "frames.pvd";
+inline constexpr const char* kContactsCollection = "contacts.pvd";
+
 /// The folder of one run, written while the simulation goes on (docs/results.md):
 ///
 ///     case.toml summary.json history.csv log.txt checkpoint.bin

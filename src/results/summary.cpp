@@ -17,8 +17,6 @@ using model::Model;
 using model::RunOutcome;
 using model::RunStatus;
 
-constexpr const char* kFormat = "knitmech-run";
-
 /// Doubles that are not finite become null when the document is written (nlohmann-json's rule for JSON without NaN).
 Json number(std::optional<double> value) {
   return value ? Json(*value) : Json(nullptr);
@@ -41,7 +39,7 @@ const char* status_name(RunStatus status) {
 }
 
 Json head(const Model& model, const char* status) {
-  return {{"format", kFormat},
+  return {{"format", kSummaryFormat},
           {"schema", kSummarySchema},
           {"program_version", KNITMECH_VERSION},
           {"title", model.title},
@@ -245,7 +243,7 @@ bool is_summary(const std::filesystem::path& path) {
     return false;
   }
   const Json document = Json::parse(read_file(path), nullptr, /*allow_exceptions=*/false);
-  return document.is_object() && document.value("format", Json{}) == kFormat;
+  return document.is_object() && document.value("format", Json{}) == kSummaryFormat;
 }
 
 std::string status_in_summary(const std::filesystem::path& path) {

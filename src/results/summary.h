@@ -18,6 +18,9 @@ namespace knitmech::results {
 /// Raised when summary.json changes in a way that an older reader would misunderstand.
 inline constexpr int kSummarySchema = 1;
 
+/// The entry "format" of every summary.
+inline constexpr const char* kSummaryFormat = "knitmech-run";
+
 /// The content of summary.json while a run is under way: what is known of the model, status "running". It also marks
 /// the folder as a run folder.
 [[nodiscard]] std::string running_summary(const model::Model& model);
