@@ -89,6 +89,13 @@ void add_run(CLI::App& app, Action& action) {
   });
 }
 
+void add_report(CLI::App& app, Action& action) {
+  auto options = std::make_shared<ReportOptions>();
+  CLI::App& command = *app.add_subcommand("report", "Write the report of a run: one page, and its figures as files");
+  command.add_option("RUN", options->folder, "Folder of the run")->required();
+  on_parse(command, action, options);
+}
+
 void add_study(CLI::App& app, Action& action) {
   auto options = std::make_shared<StudyOptions>();
   CLI::App& command = *app.add_subcommand("study", "Run many cases that differ in some parameters; leaves one table");
@@ -212,6 +219,7 @@ int run_command_line(int argc, char** argv) {
   add_new(app, action);
   add_check(app, action);
   add_run(app, action);
+  add_report(app, action);
   add_study(app, action);
   add_export(app, action);
   add_yarn(app, action);

@@ -33,6 +33,10 @@ struct RunOptions {
   std::optional<int> threads;  ///< empty: as many as serve the fabric
 };
 
+struct ReportOptions {
+  std::string folder;  ///< of a run
+};
+
 struct StudyOptions {
   std::string study_file;
   std::string folder;          ///< empty: results/<name of the study>
@@ -71,6 +75,7 @@ struct ParametersOptions {
 ExitCode run_command(const NewOptions& options);
 ExitCode run_command(const CheckOptions& options);
 ExitCode run_command(const RunOptions& options);
+ExitCode run_command(const ReportOptions& options);
 ExitCode run_command(const StudyOptions& options);
 ExitCode run_command(const ExportOptions& options);
 ExitCode run_command(const YarnOptions& options);

@@ -1,0 +1,231 @@
+#include "report/run_report.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/number_text.h"
+#include "model/facts.h"
+#include "model/parameters.h"
+#include "model/parameters_text.h"
+#include "report/frame_pictures.h"
+#include "report/page.h"
+#include "report/run_charts.h"
+#include "results/atomic_file.h"
+#include "results/frame_measures.h"
+#include "results/read_frame.h"
+
+namespace knitmech::report {
+namespace {
+
+namespace fs = std::filesystem;
+using results::StoredRun;
+
+constexpr int kPictureHeight = 560;  // [px]
+
+/// Takes figures for the page, and leaves each as a file.
+class Figures {
+ public:
+  explicit Figures(fs::path folder) : folder_(std::move(folder)) { fs::create_directories(folder_); }
+
+  [[nodiscard]] std::string svg(const std::string& name, const std::string& svg, const std::string& caption) const {
+    results::write_file_atomically(folder_ / (name + ".svg"), svg);
+    return figure(svg.substr(svg.find("<svg")), caption);
+  }
+  [[nodiscard]] std::string png(const std::string& name, const std::string& bytes, const std::string& caption) const {
+    if (bytes.empty()) return figure("", caption + ": nothing can be drawn");
+    results::write_file_atomically(folder_ / (name + ".png"), bytes);
+    return figure(inline_png(bytes, caption), caption);
+  }
+
+ private:
+  fs::path folder_;
+};
+
+/// The frames that are shown: all, or some of them that are evenly spaced in strain.
+std::vector<model::Frame> shown_frames(const StoredRun& run) {
+  std::set<int> indices;
+  for (std::size_t i = 0; i < kMostFrames; ++i) {
+    const double share = static_cast<double>(i) / (kMostFrames - 1);
+    indices.insert(results::nearest_frame(run, share * run.frames.back().strain).index);
+  }
+  if (run.frames.size() <= kMostFrames) {
+    for (const results::StoredFrame& frame : run.frames) indices.insert(frame.index);
+  }
+  std::vector<model::Frame> frames;
+  for (const int index : indices) frames.push_back(results::read_frame(run, index));
+  return frames;
+}
+
+std::string number_html(const std::string& value, const std::string& name) {
+  return fmt::format("<div><b>{}</b><span>{}</span></div>", escaped(value), escaped(name));
+}
+
+std::string verdict_html(const StoredRun& run) {
+  const results::RunSummary& summary = run.summary;
+  const bool is_good = summary.quality && summary.quality->quasi_static;
+  std::string text = escaped(summary.quality ? summary.quality->verdict : "The run has not ended.");
+  if (!summary.reason.empty()) text += " " + escaped(summary.reason);
+  if (!summary.advice.empty()) text += " " + escaped(summary.advice);
+  return fmt::format("<p class=\"verdict{}\">{}</p>\n", is_good ? "" : " bad", text);
+}
+
+std::string head_html(const StoredRun& run) {
+  std::string html = verdict_html(run);
+  if (run.history.empty()) return html;
+  const model::HistoryRow& last = run.history.back();
+  html += "<div class=\"numbers\">";
+  html += number_html(base::percent_text(last.strain), "strain reached");
+  html += number_html(base::force_text(last.force_top), "force at the end");
+  html += number_html(fmt::format("{:.4g} mJ", last.external_work), "work of the grip");
+  if (last.external_work > 0) {
+    html += number_html(base::percent_text(last.friction_loss / last.external_work), "of it lost to friction");
+  }
+  html += number_html(base::percent_text(1 - last.width / run.history.front().width), "contraction of the width");
+  html += number_html(fmt::format("{}", last.contacts), "contacts at the end");
+  return html + "</div>\n";
+}
+
+std::string curve_section(const StoredRun& run, const Figures& figures) {
+  const std::vector<NamedHistory> runs = {{"", run.history}};
+  return side_by_side(
+      {figures.svg("force-strain", chart_svg(force_chart(runs, false)), "Force at the driven grip over strain."),
+       figures.svg("force-strain-log", chart_svg(force_chart(runs, true)),
+                   "The same with a logarithmic axis: the toe, in which the loops close, and the climb after it."),
+       figures.svg("contraction", chart_svg(contraction_chart(runs)), "Contraction of the width at mid-height."),
+       figures.svg("contacts", chart_svg(contact_chart(runs)), "Places where yarns press on each other.")});
+}
+
+std::string fabric_section(const StoredRun& run, const std::vector<model::Frame>& frames, const Figures& figures,
+                           int threads) {
+  std::string html;
+  for (const PictureRow& row : draw_rows(run.model, frames, kPictureHeight, threads)) {
+    html += fmt::format(
+        "<h3>{}</h3>\n<div class=\"scroll\"><div class=\"row\" style=\"grid-template-columns: "
+        "repeat({}, minmax(210px, 1fr))\">\n",
+        row.title, frames.size());
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+      html += figures.png(fmt::format("{}-{:04}", row.name, frames[i].index), row.png[i],
+                          fmt::format("{} at {}", row.title, base::percent_text(frames[i].history.strain)));
+    }
+    html += "</div></div>\n";
+  }
+  return html;
+}
+
+std::string shape_section(const StoredRun& run, const std::vector<model::Frame>& frames, const Figures& figures) {
+  std::vector<std::vector<std::string>> rows = {{"strain", "lowest z [mm]", "highest z [mm]", "contacts",
+                                                 "contacts in the middle third", "contact force in the middle third"}};
+  const auto share = [](const std::optional<double>& value) { return value ? base::percent_text(*value) : ""; };
+  for (const model::Frame& frame : frames) {
+    const results::FrameMeasures measures = results::measure_frame(frame);
+    rows.push_back({base::percent_text(measures.strain), fmt::format("{:.3f}", measures.lowest_z),
+                    fmt::format("{:.3f}", measures.highest_z), fmt::format("{}", measures.contacts),
+                    share(measures.contacts_in_middle), share(measures.force_in_middle)});
+  }
+  return side_by_side({figures.svg("width-profile", chart_svg(width_profile_chart(run.model, frames)),
+                                   "Width of the fabric over its height, at the strains in the legend.")}) +
+         table(rows) +
+         "<p class=\"soft\">If the contacts were spread evenly over the width, a third of them would lie in its middle "
+         "third.</p>\n";
+}
+
+std::string quality_section(const StoredRun& run, const Figures& figures) {
+  std::string html = side_by_side({figures.svg("energies", chart_svg(energy_chart(run.history)),
+                                               "Where the work of the grip went. The run is quasi-static where motion "
+                                               "is a small part of it.")});
+  if (!run.summary.quality) return html;
+  const results::Quality& quality = *run.summary.quality;
+  const auto ratio = [](const std::optional<double>& value) { return value ? base::percent_text(*value) : ""; };
+  html +=
+      table({{"", "value", "limit", "at strain"},
+             {"kinetic over internal energy, largest over 1 % strain", ratio(quality.kinetic_ratio), "5 %",
+              ratio(quality.kinetic_ratio_strain)},
+             {"energy that is not accounted for, over the work", ratio(quality.energy_balance), "1 %",
+              ratio(quality.energy_balance_strain)},
+             {"difference of the two grip forces, largest over 1 % strain", ratio(quality.grip_difference), "5 %",
+              ratio(quality.grip_difference_strain)},
+             {"largest penetration over the yarn diameter", base::percent_text(quality.penetration_ratio), "", ""},
+             {"largest elastic slip over the yarn diameter", base::percent_text(quality.elastic_slip_ratio), "", ""},
+             {"yarns that passed through each other", fmt::format("{}", quality.lost_crossings), "0", ""},
+             {"end of the toe region, before which nothing is judged", "", "", ratio(quality.toe_strain)}});
+  return html;
+}
+
+std::string peaks_section(const StoredRun& run) {
+  std::vector<std::vector<std::string>> rows = {
+      {"largest in the yarns", "value", "at strain", "course", "wale", "part"}};
+  for (std::size_t i = 0; i < results::kPeakFields.size(); ++i) {
+    const auto& peak = run.summary.largest_in_yarns.at(i);
+    if (!peak) continue;
+    rows.push_back({results::kPeakFields.at(i).key, fmt::format("{:.4g}", peak->value),
+                    base::percent_text(peak->strain), fmt::format("{}", peak->place.course),
+                    peak->place.wale ? fmt::format("{}", *peak->place.wale) : "", escaped(peak->place.part)});
+  }
+  return rows.size() > 1 ? table(rows) : "";
+}
+
+std::string parameter_table(const StoredRun& run) {
+  std::vector<std::vector<std::string>> rows = {{"parameter", "symbol", "value", "meaning"}};
+  for (const model::Parameter& parameter : model::parameters()) {
+    const model::Value value = model::value_in(run.input, parameter);
+    const bool not_given = parameter.need == model::Need::optional && std::holds_alternative<std::monostate>(value);
+    if (not_given) continue;
+    // A space keeps numbers and words of this column on one side.
+    rows.push_back({fmt::format("<code>{}</code>", escaped(parameter.key)), escaped(parameter.symbol),
+                    "<code>" + escaped(model::toml_text(parameter, value)) + "</code>", escaped(parameter.help)});
+  }
+  return table(rows);
+}
+
+std::string model_section(const StoredRun& run) {
+  const model::FabricFacts facts = model::describe(run.input, run.model);
+  std::vector<std::vector<std::string>> rows = {
+      {"model", "value"},
+      {"size", fmt::format("{:.4g} x {:.4g} x {:.3g} mm, {:.4g} g/m²", facts.width, facts.height, facts.thickness,
+                           facts.mass_per_area)},
+      {"yarn in a stitch", fmt::format("{:.5g} mm", facts.stitch_length)},
+      {"yarn in the fabric", fmt::format("{:.4g} m", facts.yarn_length / 1000)},
+      {"elements, nodes", fmt::format("{}, {}", facts.n_elements, facts.n_nodes)},
+      {"stiffness of the yarn",
+       fmt::format("EA {:.4g} N, EI {:.4g} N mm², GJ {:.4g} N mm²", facts.section.axial_stiffness,
+                   facts.section.bending_stiffness, facts.section.torsional_stiffness)}};
+  if (run.summary.mass_scaling) rows.push_back({"mass scaling", fmt::format("{:.4g}", *run.summary.mass_scaling)});
+  if (run.summary.steps) rows.push_back({"steps", fmt::format("{}", *run.summary.steps)});
+  if (run.summary.wall_seconds) rows.push_back({"took", base::duration_text(*run.summary.wall_seconds)});
+  return table(rows) + parameter_table(run);
+}
+
+std::string structure_of(const StoredRun& run) {
+  const model::Parameter& structure = *model::find_parameter("fabric.structure");
+  return std::get<std::string>(model::value_in(run.input, structure));
+}
+
+std::string footer_html(const StoredRun& run) {
+  return fmt::format("Made by KnitMech {}. To repeat it: <code>knitmech run {}</code> with the case of this folder.",
+                     escaped(run.summary.program_version), escaped((run.dir / "case.toml").string()));
+}
+
+}  // namespace
+
+void write_run_report(const StoredRun& run, int threads) {
+  const Figures figures(run.dir / kFiguresFolder);
+  const std::vector<model::Frame> frames = shown_frames(run);
+  Page page(run.summary.title,
+            fmt::format("{} wales x {} courses, {} elements per half stitch, structure {}", run.input.fabric.wales,
+                        run.input.fabric.courses, run.input.fabric.elements_per_erc, structure_of(run)));
+  page.add_to_head(head_html(run));
+  page.add_section("Force and strain", curve_section(run, figures));
+  page.add_section("The fabric", fabric_section(run, frames, figures, threads));
+  page.add_section("Shape and contact", shape_section(run, frames, figures));
+  page.add_section("Quality", quality_section(run, figures) + peaks_section(run));
+  page.add_section("The model", model_section(run));
+  results::write_file_atomically(run.dir / kReportFile, page.html(footer_html(run)));
+}
+
+}  // namespace knitmech::report

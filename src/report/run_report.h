@@ -1,0 +1,24 @@
+#pragma once
+
+#include <filesystem>
+
+#include "results/read_run.h"
+
+namespace knitmech::report {
+
+/// In a run folder: the report, and the folder of its figures as files of their own.
+inline constexpr const char* kReportFile = "report.html";
+inline constexpr const char* kFiguresFolder = "figures";
+
+/// Writes report.html, one page that needs no other file and no network, and its figures in figures/: charts as SVG,
+/// pictures of the fabric as PNG.
+///
+/// Shown are at most kMostFrames of the stored frames, evenly spaced in strain, the last among them.
+/// \param threads that draw; 0: as many as the processor has
+/// @throws FileError if a file cannot be written; InputError if a stored frame is damaged
+void write_run_report(const results::StoredRun& run, int threads = 0);
+
+/// Frames that a report shows [-]; more make the page larger, about 0.5 MB each.
+inline constexpr std::size_t kMostFrames = 6;
+
+}  // namespace knitmech::report
