@@ -29,6 +29,7 @@ constexpr const char* kExamples =
     "  knitmech run jersey.toml               simulate; leaves results/jersey\n"
     "  knitmech run --resume results/jersey   go on with a run that was interrupted\n"
     "  knitmech study study.toml              run many cases; leaves one table\n"
+    "  knitmech render results/jersey --strain 0.16 --colour contact\n"
     "  knitmech export jersey.toml -f abaqus -o jersey.inp\n"
     "  knitmech yarn tensile.csv --diameter \"0.12 mm\" --density \"1140 kg/m^3\"\n"
     "  knitmech parameters                    every key of a case file\n"
@@ -153,6 +154,35 @@ void add_yarn(CLI::App& app, Action& action) {
   on_parse(command, action, options);
 }
 
+void add_render(CLI::App& app, Action& action) {
+  auto options = std::make_shared<RenderOptions>();
+  CLI::App& command = *app.add_subcommand("render", "Draw a picture of a finished run");
+  command.add_option("RUN", options->run, "Folder of the run")->required();
+  CLI::Option* const frame =
+      command.add_option("--frame", options->frame, "Number of a stored frame (default: the last)");
+  command.add_option("--strain", options->strain, "Take the stored frame that is nearest to this strain, as 0.16")
+      ->excludes(frame);
+  command.add_option(
+      "--colour,--color", options->colour,
+      "What the colour tells: plain, course, contact, curvature, axial-force, axial-strain, shear-force, "
+      "bending-moment, torque or out-of-plane");
+  command.add_option("--view", options->view, "front, back, side, top or oblique");
+  command
+      .add_option("--window", options->window,
+                  "Part of the fabric: its left, right, bottom and top as shares of the whole, as 0 0.5 0.5 1")
+      ->expected(4);
+  command.add_option("--width", options->width, "Of the picture in px (default: as the fabric asks for)");
+  command.add_option("--height", options->height, "Of the picture in px (default: 1400)");
+  CLI::Option* const range = command.add_option("--range", options->range,
+                                                "Values at the two ends of the colours (default: those of the frame)");
+  range->expected(2);
+  command.add_flag("--same-range", options->same_range, "Let the colours span the values of all frames of the run")
+      ->excludes(range);
+  command.add_option("-o,--output", options->file,
+                     "Where to, a .png (default: in the folder pictures of RUN, named by frame, colour and view)");
+  on_parse(command, action, options);
+}
+
 void add_parameters(CLI::App& app, Action& action) {
   auto options = std::make_shared<ParametersOptions>();
   CLI::App& command = *app.add_subcommand("parameters", "List every key of a case file with unit, default and range");
@@ -223,6 +253,7 @@ int run_command_line(int argc, char** argv) {
   add_study(app, action);
   add_export(app, action);
   add_yarn(app, action);
+  add_render(app, action);
   add_parameters(app, action);
 
   const bool as_json = std::find(argv, argv + argc, std::string_view("--json")) != argv + argc;

@@ -66,6 +66,20 @@ struct YarnOptions {
   bool json = false;
 };
 
+/// Texts are the words of the command line, empty where they are not given.
+struct RenderOptions {
+  std::string run;               ///< folder of the run
+  std::optional<int> frame;      ///< empty with strain empty: the last one
+  std::optional<double> strain;  ///< [-]; the nearest stored frame
+  std::string colour = "plain", view = "front";
+  std::vector<double> window;  ///< left, right, bottom, top; empty: the whole fabric
+  int width = 0;               ///< [px]; 0: as the proportions of the fabric ask for
+  std::optional<int> height;   ///< [px]
+  std::vector<double> range;   ///< two ends of the colours; empty: of what is drawn
+  bool same_range = false;     ///< the colours span the values of all stored frames
+  std::string file;            ///< empty: in the folder pictures/ of the run
+};
+
 struct ParametersOptions {
   bool markdown = false;
 };
@@ -79,6 +93,7 @@ ExitCode run_command(const ReportOptions& options);
 ExitCode run_command(const StudyOptions& options);
 ExitCode run_command(const ExportOptions& options);
 ExitCode run_command(const YarnOptions& options);
+ExitCode run_command(const RenderOptions& options);
 ExitCode run_command(const ParametersOptions& options);
 
 }  // namespace knitmech::app

@@ -15,18 +15,38 @@ using Eigen::Vector3d;
 constexpr double kObliqueAzimuth = 38 * std::numbers::pi / 180;
 constexpr double kObliqueElevation = 24 * std::numbers::pi / 180;
 
+Vector3d towards_viewer_of(View view) {
+  switch (view) {
+    case View::front:
+      break;
+    case View::back:
+      return -Vector3d::UnitZ();
+    case View::side:
+      return Vector3d::UnitX();
+    case View::top:
+      return Vector3d::UnitY();
+    case View::oblique:
+      return {std::sin(kObliqueAzimuth) * std::cos(kObliqueElevation), std::sin(kObliqueElevation),
+              std::cos(kObliqueAzimuth) * std::cos(kObliqueElevation)};
+  }
+  return Vector3d::UnitZ();
+}
+
+ViewAxes axes_without_turn(View view) {
+  const Vector3d towards_viewer = towards_viewer_of(view);
+  const Vector3d across = view == View::top ? Vector3d(0, 0, -1) : Vector3d(0, 1, 0);
+  const Vector3d right = across.cross(towards_viewer).normalized();
+  return {right, towards_viewer.cross(right), towards_viewer};
+}
+
 }  // namespace
 
-ViewAxes axes_of(View view) {
-  Vector3d towards_viewer = Vector3d::UnitZ();
-  if (view == View::side) {
-    towards_viewer = Vector3d::UnitX();
-  } else if (view == View::oblique) {
-    towards_viewer = {std::sin(kObliqueAzimuth) * std::cos(kObliqueElevation), std::sin(kObliqueElevation),
-                      std::cos(kObliqueAzimuth) * std::cos(kObliqueElevation)};
-  }
-  const Vector3d right = Vector3d::UnitY().cross(towards_viewer).normalized();
-  return {right, towards_viewer.cross(right), towards_viewer};
+ViewAxes axes_of(View view, double turn) {
+  ViewAxes axes = axes_without_turn(view);
+  // Seen from the fabric, it is the viewer who goes round, the other way.
+  const Eigen::AngleAxisd round(-turn * std::numbers::pi / 180, Vector3d::UnitY());
+  if (turn != 0) axes = {round * axes.right, round * axes.up, round * axes.towards_viewer};
+  return axes;
 }
 
 Extent extent_along(const ViewAxes& axes, const std::vector<CurvePiece>& pieces) {
@@ -41,6 +61,10 @@ Extent extent_along(const ViewAxes& axes, const std::vector<CurvePiece>& pieces)
     }
   }
   return extent;
+}
+
+Extent around(const Extent& extent_a, const Extent& extent_b) {
+  return {extent_a.lowest.cwiseMin(extent_b.lowest), extent_a.highest.cwiseMax(extent_b.highest)};
 }
 
 Extent part_of(const Extent& extent, const Window& window) {

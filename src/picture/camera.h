@@ -10,7 +10,9 @@ namespace knitmech::picture {
 /// From where the fabric is seen, always in parallel projection, so that lengths can be measured in the picture.
 enum class View {
   front,   ///< along -z: the technical face, x to the right, y up
+  back,    ///< along z: the technical back, x to the left, y up
   side,    ///< along -x: the front of the fabric to the left, y up
+  top,     ///< along -y: x to the right, the front of the fabric below
   oblique  ///< from the front, right and above
 };
 
@@ -18,7 +20,8 @@ enum class View {
 struct ViewAxes {
   Eigen::Vector3d right, up, towards_viewer;
 };
-[[nodiscard]] ViewAxes axes_of(View view);
+/// turn: by which the fabric is turned about y before [degrees], its front towards the right.
+[[nodiscard]] ViewAxes axes_of(View view, double turn = 0);
 
 /// Extent of the yarns along the axes of a view [mm], the yarn's thickness included.
 struct Extent {
@@ -28,6 +31,8 @@ struct Extent {
 };
 /// pieces must not be empty.
 [[nodiscard]] Extent extent_along(const ViewAxes& axes, const std::vector<CurvePiece>& pieces);
+/// The smallest extent around two, which are along the same axes.
+[[nodiscard]] Extent around(const Extent& extent_a, const Extent& extent_b);
 
 /// A part of the fabric as seen: shares of its extent from the left and from the bottom, 0 to 1.
 struct Window {

@@ -137,29 +137,54 @@ int thread_count(int wanted) {
   return wanted > 0 ? wanted : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
-}  // namespace
-
-Image draw_fabric(const model::Model& model, const model::Frame& frame, const PictureOptions& options) {
-  check(options);
-  const TubeScene scene(yarn_curves(model, frame));
-  if (scene.pieces().empty()) {
+std::vector<CurvePiece> drawn_curves(const model::Model& model, const model::Frame& frame) {
+  std::vector<CurvePiece> pieces = yarn_curves(model, frame);
+  if (pieces.empty()) {
     throw InputError(
         fmt::format("Frame {} has no yarn whose position is known, so there is nothing to draw.", frame.index));
   }
+  return pieces;
+}
+
+Extent drawn_extent(const std::vector<CurvePiece>& pieces, const PictureOptions& options) {
+  const Extent whole = options.extent ? *options.extent : extent_along(axes_of(options.view, options.turn), pieces);
+  return part_of(whole, options.window);
+}
+
+PageLayout lay_out(const Extent& extent, const std::optional<YarnField>& field, const PictureOptions& options,
+                   const Font& font) {
+  return lay_out(options, extent.size(), field ? colour_bar_width(*field, font) : 0, foot_width(options, font),
+                 font.size());
+}
+
+bool has_shadow(const PictureOptions& options) {
+  return options.has_shadow_on_backdrop && (options.view == View::front || options.view == View::back);
+}
+
+}  // namespace
+
+int picture_width(const model::Model& model, const model::Frame& frame, const PictureOptions& options) {
+  check(options);
+  const std::optional<YarnField> field = yarn_field(options.colour_by, model, frame, options.range);
+  return lay_out(drawn_extent(drawn_curves(model, frame), options), field, options, Font(font_size(options.height)))
+      .width;
+}
+
+Image draw_fabric(const model::Model& model, const model::Frame& frame, const PictureOptions& options) {
+  check(options);
+  const TubeScene scene(drawn_curves(model, frame));
   const std::optional<YarnField> field = yarn_field(options.colour_by, model, frame, options.range);
   const Font font(font_size(options.height));
-  const ViewAxes axes = axes_of(options.view);
-  const Extent extent = part_of(extent_along(axes, scene.pieces()), options.window);
-  const PageLayout page = lay_out(options, extent.size(), field ? colour_bar_width(*field, font) : 0,
-                                  foot_width(options, font), font.size());
-  const Camera camera(axes, extent, page.fabric);
+  const Extent extent = drawn_extent(scene.pieces(), options);
+  const PageLayout page = lay_out(extent, field, options, font);
+  const Camera camera(axes_of(options.view, options.turn), extent, page.fabric);
   Image image(page.width, page.height, from_srgb(kBackdropColour));
   trace(image,
         {.scene = scene,
          .camera = camera,
          .extent = extent,
          .area = is_whole(options.window) ? Area{0, 0, 1.0 * page.width, 1.0 * page.height} : page.fabric,
-         .has_shadow_on_backdrop = options.view == View::front,
+         .has_shadow_on_backdrop = has_shadow(options),
          .yarn_colour = yarn_colours(model, scene, field, options.colour_by)},
         thread_count(options.threads));
   if (field) {

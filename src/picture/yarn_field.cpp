@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <tuple>
 
 #include "picture/colour_bar.h"
 #include "picture/ticks.h"
@@ -29,52 +29,70 @@ std::vector<double> z_of(const std::vector<Eigen::Vector3d>& points) {
   return values;
 }
 
-/// from_zero: the field is a magnitude, and zero is the natural start of its colours.
-void set_range(YarnField& field, bool from_zero) {
-  double lowest = from_zero ? 0 : std::numeric_limits<double>::infinity();
-  double highest = from_zero ? 0 : -std::numeric_limits<double>::infinity();
-  for (const double value : field.values) {
-    if (std::isfinite(value)) {
-      lowest = std::min(lowest, value);
-      highest = std::max(highest, value);
-    }
+bool is_magnitude(ColourBy colour_by) {
+  return colour_by == ColourBy::contact_force || colour_by == ColourBy::curvature ||
+         colour_by == ColourBy::shear_force || colour_by == ColourBy::bending_moment;
+}
+
+std::vector<double> in_percent(std::vector<double> values) {
+  for (double& value : values) value *= 100;
+  return values;
+}
+
+/// Label and values of a field; without a range.
+std::optional<YarnField> field_without_range(ColourBy colour_by, const model::Model& model, const model::Frame& frame) {
+  const auto at_nodes = [&](const std::vector<double>& element_values) {
+    return results::average_to_nodes(model, frame.broken, element_values);
+  };
+  switch (colour_by) {
+    case ColourBy::plain:
+    case ColourBy::course:
+      break;
+    case ColourBy::contact_force:
+      return YarnField{"Contact force [N]", magnitudes(frame.contact_force)};
+    case ColourBy::curvature:
+      return YarnField{"Curvature change [1/mm]", at_nodes(frame.curvature)};
+    case ColourBy::axial_force:
+      return YarnField{"Axial force [N]", at_nodes(frame.axial_force)};
+    case ColourBy::axial_strain:
+      return YarnField{"Axial strain [%]", in_percent(at_nodes(frame.axial_strain))};
+    case ColourBy::shear_force:
+      return YarnField{"Shear force [N]", at_nodes(frame.shear_force)};
+    case ColourBy::bending_moment:
+      return YarnField{"Bending moment [N mm]", at_nodes(frame.bending_moment)};
+    case ColourBy::torque:
+      return YarnField{"Torque [N mm]", at_nodes(frame.torque)};
+    case ColourBy::out_of_plane:
+      return YarnField{"Out of plane [mm]", z_of(frame.points)};
   }
-  if (from_zero && highest == 0) {
-    highest = 1;
-  }
-  const Ticks ticks = nice_ticks(lowest, highest, kColourBarIntervals);
-  field.lowest = ticks.first();
-  field.highest = ticks.last();
+  return std::nullopt;
 }
 
 }  // namespace
 
+void ValueRange::include(const YarnField& field) {
+  for (const double value : field.values) {
+    if (!std::isfinite(value)) continue;
+    lowest = std::min(lowest, value);
+    highest = std::max(highest, value);
+  }
+}
+
+std::pair<double, double> round_range(ColourBy colour_by, const ValueRange& values) {
+  const bool from_zero = is_magnitude(colour_by);
+  const double lowest = from_zero ? 0 : values.lowest;
+  const double highest = from_zero && values.highest <= 0 ? 1 : values.highest;
+  const Ticks ticks = nice_ticks(lowest, highest, kColourBarIntervals);
+  return {ticks.first(), ticks.last()};
+}
+
 std::optional<YarnField> yarn_field(ColourBy colour_by, const model::Model& model, const model::Frame& frame,
                                     const std::optional<std::pair<double, double>>& range) {
-  YarnField field;
-  switch (colour_by) {
-    case ColourBy::plain:
-    case ColourBy::course:
-      return std::nullopt;
-    case ColourBy::contact_force:
-      field = {"Contact force [N]", magnitudes(frame.contact_force)};
-      break;
-    case ColourBy::curvature:
-      field = {"Curvature change [1/mm]", results::average_to_nodes(model, frame.broken, frame.curvature)};
-      break;
-    case ColourBy::axial_force:
-      field = {"Axial force [N]", results::average_to_nodes(model, frame.broken, frame.axial_force)};
-      break;
-    case ColourBy::out_of_plane:
-      field = {"Out of plane [mm]", z_of(frame.points)};
-      break;
-  }
-  if (range) {
-    field.lowest = range->first;
-    field.highest = range->second;
-  } else {
-    set_range(field, colour_by == ColourBy::contact_force || colour_by == ColourBy::curvature);
-  }
+  std::optional<YarnField> field = field_without_range(colour_by, model, frame);
+  if (!field) return std::nullopt;
+  ValueRange values;
+  values.include(*field);
+  std::tie(field->lowest, field->highest) = range ? *range : round_range(colour_by, values);
   return field;
 }
 

@@ -45,6 +45,25 @@ TEST_F(YarnFieldTest, ElementQuantitiesAreAveragedToTheNodes) {
   EXPECT_GE(field.highest, 1.5);
 }
 
+TEST_F(YarnFieldTest, AxialStrainIsInPercent) {
+  frame_.axial_strain.assign(frame_.axial_strain.size(), 0.02);
+  const YarnField field = yarn_field(ColourBy::axial_strain, model_, frame_, {}).value();
+  EXPECT_EQ(field.label, "Axial strain [%]");
+  EXPECT_DOUBLE_EQ(field.values[1], 2);
+}
+
+TEST_F(YarnFieldTest, TheRangeOfSeveralFramesSpansThemAll) {
+  // Given a frame without forces, and one with a little of them.
+  ValueRange values;
+  values.include(yarn_field(ColourBy::bending_moment, model_, frame_, {}).value());
+  frame_.bending_moment[0] = 0.018;
+  values.include(yarn_field(ColourBy::bending_moment, model_, frame_, {}).value());
+  // Then the first does not widen the range.
+  const auto [lowest, highest] = round_range(ColourBy::bending_moment, values);
+  EXPECT_EQ(lowest, 0);
+  EXPECT_NEAR(highest, 0.02, 1e-12);
+}
+
 TEST_F(YarnFieldTest, AGivenRangeIsTaken) {
   frame_.points[2].z() = 1.3;
   const YarnField field = yarn_field(ColourBy::out_of_plane, model_, frame_, std::pair{-2.0, 7.5}).value();
