@@ -12,8 +12,10 @@
 #include "app/json_text.h"
 #include "app/progress.h"
 #include "app/run_texts.h"
+#include "model/bending_measure.h"
 #include "model/facts.h"
 #include "results/atomic_file.h"
+#include "results/curve_stages.h"
 #include "run/run_case.h"
 #include "run/run_start.h"
 
@@ -70,7 +72,8 @@ ExitCode run_command(const RunOptions& options) {
   if (talks) print_head(start, settings.simulation);
   const run::RunResult result = run_with_progress(start, settings, talks);
   if (talks) {
-    fmt::print("{}{}", run_end_text(model, result.outcome, result.history.back(), result.quality),
+    const auto stages = results::curve_stages(result.history, model::bending_measure(model));
+    fmt::print("{}{}", run_end_text(model, result.outcome, result.history.back(), result.quality, stages),
                paths_text(folder, options.pictures));
   }
   if (options.json) fmt::print("{}\n", run_json(results::read_file(folder / "summary.json"), folder));

@@ -13,6 +13,7 @@
 #include "run/run_start.h"
 #include "study/run_study.h"
 #include "study/study_file.h"
+#include "study/study_report.h"
 
 namespace knitmech::app {
 namespace {
@@ -84,9 +85,11 @@ ExitCode run_command(const StudyOptions& options) {
   listener.keep_going = [] { return !InterruptWatch::requested(); };
   const std::vector<study::VariantState> states = study::run_study(study, settings, listener);
   progress.finish();
+  study::write_study_report(settings.folder, study, states);
 
   if (talks)
-    fmt::print("{}\nResults: {}\n  table.csv, study.json, runs/\n", outcome_text(states), settings.folder.string());
+    fmt::print("{}\nResults: {}\n  report.html, figures/, table.csv, study.json, runs/\n", outcome_text(states),
+               settings.folder.string());
   if (options.json) fmt::print("{}", results::read_file(settings.folder / "study.json"));
   if (count(states, Standing::pending) > 0) {
     fmt::print(stderr, "knitmech: interrupted; the same command goes on with what is left\n");

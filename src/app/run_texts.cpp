@@ -155,8 +155,23 @@ std::string run_head_text(const run::LoadedCase& loaded, const model::FabricFact
   return text;
 }
 
+std::string stages_text(const results::CurveStages& stages) {
+  if (stages.stages.empty()) return {};
+  std::string text = "Stages:";
+  for (const results::CurveStage& stage : stages.stages) {
+    text += fmt::format(" {} to {} strain", stage.name, percent_text(stage.to));
+    text += stage.slope_per_width ? fmt::format(", slope {};", per_width_text(*stage.slope_per_width)) : ";";
+  }
+  if (stages.stretch_strain) {
+    return fmt::format("{} the yarn stretches from {} on.\n", text, percent_text(*stages.stretch_strain));
+  }
+  if (!stages.stretch_share) return text + " the loops have not closed.\n";
+  return fmt::format("{} the yarn does not stretch yet ({} of the growth of the strain energy at the end).\n", text,
+                     percent_text(*stages.stretch_share));
+}
+
 std::string run_end_text(const model::Model& model, const model::RunOutcome& outcome, const model::HistoryRow& last,
-                         const results::Quality& quality) {
+                         const results::Quality& quality, const results::CurveStages& stages) {
   const bool reached = outcome.status == model::RunStatus::completed && outcome.reason.empty();
   const char* const how = reached ? "Reached" : "Stopped at";
   const std::string ties = ties_text(model, outcome);
@@ -164,9 +179,9 @@ std::string run_end_text(const model::Model& model, const model::RunOutcome& out
   for (const std::string& text : {results::breaks_text(model, outcome), results::ravelling_text(model, outcome)}) {
     if (!text.empty()) events += text + "\n";
   }
-  return fmt::format("{} {} strain with {} after {} ({} steps).\nContact: {}.\n{}Crossings: {}.\n{}Quality: {}\n", how,
-                     percent_text(outcome.strain), force_text(last.force_top), duration_text(outcome.wall_seconds),
-                     outcome.steps, contacts_text(last, quality), ties.empty() ? "" : ties + "\n",
+  return fmt::format("{} {} strain with {} after {} ({} steps).\n{}Contact: {}.\n{}Crossings: {}.\n{}Quality: {}\n",
+                     how, percent_text(outcome.strain), force_text(last.force_top), duration_text(outcome.wall_seconds),
+                     outcome.steps, stages_text(stages), contacts_text(last, quality), ties.empty() ? "" : ties + "\n",
                      crossings_text(outcome), events, quality.verdict);
 }
 

@@ -8,6 +8,7 @@
 #include "model/facts.h"
 #include "model/frame.h"
 #include "model/run_outcome.h"
+#include "results/curve_stages.h"
 #include "results/quality.h"
 #include "run/load_case.h"
 
@@ -15,6 +16,7 @@ namespace knitmech::app {
 
 using base::duration_text;
 using base::force_text;
+using base::per_width_text;
 using base::percent_text;
 
 /// What `check` prints: the loop, the fabric, the mesh, the least gap, the yarn, the test.
@@ -26,8 +28,13 @@ using base::percent_text;
                                         double mass_scaling, int threads, const std::filesystem::path& folder,
                                         std::optional<double> resumed_at);
 
+/// "Stages: toe to 18.5 % strain, slope 1.26 mN/mm; bending to 22 %, slope 23.9 mN/mm; ...", the slopes per width and
+/// unit of strain; empty without stages.
+[[nodiscard]] std::string stages_text(const results::CurveStages& stages);
+
 /// What `run` prints of a run that has ended, as it should or not.
 [[nodiscard]] std::string run_end_text(const model::Model& model, const model::RunOutcome& outcome,
-                                       const model::HistoryRow& last, const results::Quality& quality);
+                                       const model::HistoryRow& last, const results::Quality& quality,
+                                       const results::CurveStages& stages);
 
 }  // namespace knitmech::app

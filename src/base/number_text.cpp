@@ -25,4 +25,8 @@ std::string force_text(double force) {
   return std::abs(force) < kLeastInNewton ? fmt::format("{:.3g} mN", 1000 * force) : fmt::format("{:.3g} N", force);
 }
 
+std::string per_width_text(double force) {
+  return force_text(force) + "/mm";
+}
+
 }  // namespace knitmech::base

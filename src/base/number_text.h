@@ -13,4 +13,7 @@ namespace knitmech::base {
 /// "1.23 N", below 0.1 N "12.3 mN". @param force [N]
 [[nodiscard]] std::string force_text(double force);
 
+/// "1.23 N/mm", below 0.1 N/mm "12.3 mN/mm". @param force over width [N/mm]
+[[nodiscard]] std::string per_width_text(double force);
+
 }  // namespace knitmech::base

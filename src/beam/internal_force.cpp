@@ -123,6 +123,16 @@ KNITMECH_VECTORISE double energy_pass(const Input in, std::size_t begin, std::si
   return base::sum_in_lanes(energy.data(), n);
 }
 
+KNITMECH_VECTORISE double stretch_energy_pass(const Input in, std::size_t begin, std::size_t n) {
+  std::array<double, base::kBlock> energy;  // NOLINT(cppcoreguidelines-pro-type-member-init): written below
+#pragma GCC ivdep
+  for (std::size_t k = 0; k < n; ++k) {
+    const ElementProperties element = in.properties(begin + k);
+    energy[k] = stretch_energy(element, in.state(element, begin + k));
+  }
+  return base::sum_in_lanes(energy.data(), n);
+}
+
 /// Elements that start at the nodes from begin to end; at the very last node there starts none.
 std::size_t elements_of(std::size_t begin, std::size_t end, std::size_t n_nodes) {
   return std::min(end, n_nodes - 1) - begin;
@@ -171,6 +181,13 @@ double strain_energy(const Elements& elements, const model::State& state, const 
   const Input in(elements, state);
   return base::sum_over_blocks(team, elements.size(), [&](std::size_t begin, std::size_t end) {
     return energy_pass(in, begin, elements_of(begin, end, elements.size()));
+  });
+}
+
+double stretch_energy(const Elements& elements, const model::State& state, const base::ThreadTeam& team) {
+  const Input in(elements, state);
+  return base::sum_over_blocks(team, elements.size(), [&](std::size_t begin, std::size_t end) {
+    return stretch_energy_pass(in, begin, elements_of(begin, end, elements.size()));
   });
 }
 

@@ -37,6 +37,10 @@ void set_internal_force(const Elements& elements, const model::State& state, dou
 [[nodiscard]] double strain_energy(const Elements& elements, const model::State& state,
                                    const base::ThreadTeam& team = base::ThreadTeam(1));
 
+/// The part of it by axial strain and shear [mJ].
+[[nodiscard]] double stretch_energy(const Elements& elements, const model::State& state,
+                                    const base::ThreadTeam& team = base::ThreadTeam(1));
+
 /// Energy dissipated by bulk viscosity since the start [mJ].
 [[nodiscard]] double damping_loss(const ElementWork& work);
 

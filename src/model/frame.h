@@ -14,6 +14,7 @@ struct HistoryRow {
   double force_bottom = 0;          ///< [N], along y, pull positive, summed over the held grip
   double external_work = 0;         ///< [mJ], done by the driven grip
   double internal_energy = 0;       ///< [mJ], strain energy of the beams
+  double stretch_energy = 0;        ///< [mJ], the part of it by axial strain and shear
   double kinetic_energy = 0;        ///< [mJ], translation and rotation, scaled mass included
   double contact_energy = 0;        ///< [mJ], stored in the contact penalty, and the elastic stick
   double friction_loss = 0;         ///< [mJ]
@@ -28,8 +29,8 @@ struct HistoryRow {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(time, displacement, strain, force_top, force_bottom, external_work, internal_energy, kinetic_energy,
-            contact_energy, friction_loss, damping_loss, break_loss, width, contacts, normal_force,
+    archive(time, displacement, strain, force_top, force_bottom, external_work, internal_energy, stretch_energy,
+            kinetic_energy, contact_energy, friction_loss, damping_loss, break_loss, width, contacts, normal_force,
             largest_elastic_slip, largest_penetration, step);
   }
 };

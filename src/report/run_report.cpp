@@ -13,6 +13,7 @@
 #include "model/facts.h"
 #include "model/parameters.h"
 #include "model/parameters_text.h"
+#include "report/figures.h"
 #include "report/frame_pictures.h"
 #include "report/page.h"
 #include "report/run_charts.h"
@@ -27,25 +28,6 @@ namespace fs = std::filesystem;
 using results::StoredRun;
 
 constexpr int kPictureHeight = 560;  // [px]
-
-/// Takes figures for the page, and leaves each as a file.
-class Figures {
- public:
-  explicit Figures(fs::path folder) : folder_(std::move(folder)) { fs::create_directories(folder_); }
-
-  [[nodiscard]] std::string svg(const std::string& name, const std::string& svg, const std::string& caption) const {
-    results::write_file_atomically(folder_ / (name + ".svg"), svg);
-    return figure(svg.substr(svg.find("<svg")), caption);
-  }
-  [[nodiscard]] std::string png(const std::string& name, const std::string& bytes, const std::string& caption) const {
-    if (bytes.empty()) return figure("", caption + ": nothing can be drawn");
-    results::write_file_atomically(folder_ / (name + ".png"), bytes);
-    return figure(inline_png(bytes, caption), caption);
-  }
-
- private:
-  fs::path folder_;
-};
 
 /// The frames that are shown: all, or some of them that are evenly spaced in strain.
 std::vector<model::Frame> shown_frames(const StoredRun& run) {
@@ -94,11 +76,11 @@ std::string head_html(const StoredRun& run) {
 std::string curve_section(const StoredRun& run, const Figures& figures) {
   const std::vector<NamedHistory> runs = {{"", run.history}};
   return side_by_side(
-      {figures.svg("force-strain", chart_svg(force_chart(runs, false)), "Force at the driven grip over strain."),
-       figures.svg("force-strain-log", chart_svg(force_chart(runs, true)),
-                   "The same with a logarithmic axis: the toe, in which the loops close, and the climb after it."),
-       figures.svg("contraction", chart_svg(contraction_chart(runs)), "Contraction of the width at mid-height."),
-       figures.svg("contacts", chart_svg(contact_chart(runs)), "Places where yarns press on each other.")});
+      {figures.chart("force-strain", force_chart(runs, false), "Force at the driven grip over strain."),
+       figures.chart("force-strain-log", force_chart(runs, true),
+                     "The same with a logarithmic axis: the toe, in which the loops close, and the climb after it."),
+       figures.chart("contraction", contraction_chart(runs), "Contraction of the width at mid-height."),
+       figures.chart("contacts", contact_chart(runs), "Places where yarns press on each other.")});
 }
 
 std::string fabric_section(const StoredRun& run, const std::vector<model::Frame>& frames, const Figures& figures,
@@ -128,17 +110,18 @@ std::string shape_section(const StoredRun& run, const std::vector<model::Frame>&
                     fmt::format("{:.3f}", measures.highest_z), fmt::format("{}", measures.contacts),
                     share(measures.contacts_in_middle), share(measures.force_in_middle)});
   }
-  return side_by_side({figures.svg("width-profile", chart_svg(width_profile_chart(run.model, frames)),
-                                   "Width of the fabric over its height, at the strains in the legend.")}) +
+  return side_by_side({figures.chart("width-profile", width_profile_chart(run.model, frames),
+                                     "Width of the fabric over its height, at the strains in the legend.")}) +
          table(rows) +
          "<p class=\"soft\">If the contacts were spread evenly over the width, a third of them would lie in its middle "
          "third.</p>\n";
 }
 
 std::string quality_section(const StoredRun& run, const Figures& figures) {
-  std::string html = side_by_side({figures.svg("energies", chart_svg(energy_chart(run.history)),
-                                               "Where the work of the grip went. The run is quasi-static where motion "
-                                               "is a small part of it.")});
+  std::string html =
+      side_by_side({figures.chart("energies", energy_chart(run.history),
+                                  "Where the work of the grip went. The run is quasi-static where motion "
+                                  "is a small part of it.")});
   if (!run.summary.quality) return html;
   const results::Quality& quality = *run.summary.quality;
   const auto ratio = [](const std::optional<double>& value) { return value ? base::percent_text(*value) : ""; };

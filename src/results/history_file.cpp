@@ -22,8 +22,8 @@ HistoryRow parse_row(std::string_view line, const std::vector<std::string_view>&
   HistoryRow row;
   std::size_t at = 0;
   for (double* member : {&row.time, &row.displacement, &row.strain, &row.force_top, &row.force_bottom,
-                         &row.external_work, &row.internal_energy, &row.kinetic_energy, &row.contact_energy,
-                         &row.friction_loss, &row.damping_loss, &row.break_loss, &row.width}) {
+                         &row.external_work, &row.internal_energy, &row.stretch_energy, &row.kinetic_energy,
+                         &row.contact_energy, &row.friction_loss, &row.damping_loss, &row.break_loss, &row.width}) {
     *member = parse_number<double>(cells[at], columns[at], place);
     ++at;
   }
@@ -39,10 +39,11 @@ HistoryRow parse_row(std::string_view line, const std::vector<std::string_view>&
 }  // namespace
 
 std::string history_line(const HistoryRow& row) {
-  return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", row.time, row.displacement, row.strain,
-                     row.force_top, row.force_bottom, row.external_work, row.internal_energy, row.kinetic_energy,
-                     row.contact_energy, row.friction_loss, row.damping_loss, row.break_loss, row.width, row.contacts,
-                     row.normal_force, row.largest_elastic_slip, row.largest_penetration, row.step);
+  return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", row.time, row.displacement,
+                     row.strain, row.force_top, row.force_bottom, row.external_work, row.internal_energy,
+                     row.stretch_energy, row.kinetic_energy, row.contact_energy, row.friction_loss, row.damping_loss,
+                     row.break_loss, row.width, row.contacts, row.normal_force, row.largest_elastic_slip,
+                     row.largest_penetration, row.step);
 }
 
 std::vector<HistoryRow> read_history(const std::filesystem::path& path) {

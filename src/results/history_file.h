@@ -8,9 +8,13 @@
 
 namespace knitmech::results {
 
+/// In the run folder.
+inline constexpr const char* kHistoryFile = "history.csv";
+
 /// First line of history.csv; every name carries its unit.
 inline constexpr const char* kHistoryHeader =
-    "time_s,displacement_mm,strain,force_top_N,force_bottom_N,external_work_mJ,internal_energy_mJ,kinetic_energy_mJ,"
+    "time_s,displacement_mm,strain,force_top_N,force_bottom_N,external_work_mJ,internal_energy_mJ,stretch_energy_mJ,"
+    "kinetic_energy_mJ,"
     "contact_energy_mJ,friction_loss_mJ,damping_loss_mJ,break_loss_mJ,width_mm,contacts,contact_normal_force_N,"
     "largest_elastic_slip_mm,largest_penetration_mm,step_s";
 

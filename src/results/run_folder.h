@@ -8,6 +8,7 @@
 #include "model/frame.h"
 #include "model/model.h"
 #include "model/run_outcome.h"
+#include "results/history_file.h"
 #include "results/run_record.h"
 #include "results/write_queue.h"
 
@@ -15,7 +16,6 @@ namespace knitmech::results {
 
 /// Names inside a run folder, beside kSummaryFile and kCheckpointFile; the lists of frames are in the folder of frames.
 inline constexpr const char* kCaseFile = "case.toml";
-inline constexpr const char* kHistoryFile = "history.csv";
 inline constexpr const char* kLogFile = "log.txt";
 inline constexpr const char* kFramesFolder = "frames";
 inline constexpr const char* kFramesCollection = "frames.pvd";

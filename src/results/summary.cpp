@@ -1,10 +1,16 @@
 #include "results/summary.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "base/errors.h"
+#include "model/bending_measure.h"
 #include "results/atomic_file.h"
+#include "results/curve_measures.h"
+#include "results/curve_stages.h"
 #include "results/ravelling.h"
 #include "results/yarn_place.h"
 
@@ -79,6 +85,7 @@ Json final_block(const std::vector<HistoryRow>& history, const RunOutcome& outco
   add("force_bottom_N", &HistoryRow::force_bottom);
   add("external_work_mJ", &HistoryRow::external_work);
   add("internal_energy_mJ", &HistoryRow::internal_energy);
+  add("stretch_energy_mJ", &HistoryRow::stretch_energy);
   add("friction_loss_mJ", &HistoryRow::friction_loss);
   add("damping_loss_mJ", &HistoryRow::damping_loss);
   add("break_loss_mJ", &HistoryRow::break_loss);
@@ -162,6 +169,38 @@ Json quality_block(const Quality& quality) {
           {"crossing_checks", quality.crossing_checks}};
 }
 
+Json stages_block(const CurveStages& stages) {
+  Json block = Json::array();
+  for (const CurveStage& stage : stages.stages) {
+    block.push_back({{"name", stage.name},
+                     {"from_strain", number(stage.from)},
+                     {"to_strain", number(stage.to)},
+                     {"slope_N", number(stage.slope)},
+                     {"slope_N_per_mm", number(stage.slope_per_width)}});
+  }
+  return block;
+}
+
+Json measures_block(const CurveStages& stages, const std::vector<HistoryRow>& history,
+                    const std::vector<FrameMeasures>& frames) {
+  Json list = Json::array();
+  for (const FrameMeasures& frame : frames) {
+    const auto measure = measure_at(history, frame.strain);
+    if (!measure) continue;
+    list.push_back({{"strain", number(measure->strain)},
+                    {"force_N", number(measure->force)},
+                    {"force_N_per_mm", number(measure->force_per_width)},
+                    {"secant_N_per_mm", number(measure->secant)},
+                    {"tangent_N_per_mm", number(measure->tangent)},
+                    {"width_mm", number(measure->width)},
+                    {"contraction", number(measure->contraction)},
+                    {"poissons_ratio", number(measure->poissons_ratio)}});
+  }
+  return {{"stretch_strain", number(stages.stretch_strain)},
+          {"stretch_share_at_end", number(stages.stretch_share)},
+          {"at", list}};
+}
+
 Json frames_block(const std::vector<FrameMeasures>& frames) {
   Json block = Json::array();
   for (const FrameMeasures& frame : frames) {
@@ -233,6 +272,9 @@ std::string finished_summary(const Model& model, const std::vector<HistoryRow>& 
   document["frames"] = frames_block(frames);
   document["largest_in_yarns"] = peaks_block(model, peaks);
   document["quality"] = quality_block(quality);
+  const CurveStages stages = history.empty() ? CurveStages{} : curve_stages(history, model::bending_measure(model));
+  document["stages"] = stages_block(stages);
+  document["measures"] = measures_block(stages, history, frames);
   document["ravelled"] = ravelled_block(model, outcome);
   document["breaks"] = breaks_block(model, outcome);
   return text_of(document);
@@ -244,6 +286,18 @@ bool is_summary(const std::filesystem::path& path) {
   }
   const Json document = Json::parse(read_file(path), nullptr, /*allow_exceptions=*/false);
   return document.is_object() && document.value("format", Json{}) == kSummaryFormat;
+}
+
+SummaryFacts facts_in_summary(const std::filesystem::path& path) {
+  const Json document = Json::parse(read_file(path), nullptr, /*allow_exceptions=*/false);
+  try {
+    return {.title = document.at("title").get<std::string>(),
+            .status = document.at("status").get<std::string>(),
+            .gauge_length = document.at("model").at("gauge_length_mm").get<double>()};
+  } catch (const Json::exception&) {
+    throw InputError(fmt::format("{}: has no title, status and gauge length; it must be as `knitmech run` has left it",
+                                 path.string()));
+  }
 }
 
 std::string status_in_summary(const std::filesystem::path& path) {

@@ -26,8 +26,8 @@ inline constexpr const char* kSummaryFormat = "knitmech-run";
 [[nodiscard]] std::string running_summary(const model::Model& model);
 
 /// The content of summary.json of a finished run (docs/results.md); contacts are those of the last frame, empty if
-/// there is none, peaks those of all frames. Numbers that are not finite or do not exist are null. Text that is not
-/// valid UTF-8 is written with replacement characters.
+/// there is none, peaks those of all frames; at the strains of the frames the curve is measured. Numbers that are not
+/// finite or do not exist are null. Text that is not valid UTF-8 is written with replacement characters.
 [[nodiscard]] std::string finished_summary(const model::Model& model, const std::vector<model::HistoryRow>& history,
                                            const std::vector<FrameMeasures>& frames,
                                            const std::optional<ContactSummary>& contacts, const SectionPeaks& peaks,
@@ -38,6 +38,16 @@ inline constexpr const char* kSummaryFile = "summary.json";
 
 /// Whether a file is the summary.json of a KnitMech run; false also if it does not exist or is no JSON.
 [[nodiscard]] bool is_summary(const std::filesystem::path& path);
+
+/// What the summary.json of a run says of it.
+struct SummaryFacts {
+  std::string title;
+  std::string status;       ///< "running", "completed", "interrupted", "failed"
+  double gauge_length = 0;  ///< [mm]
+};
+
+/// Throws FileError if the file cannot be read, and InputError if it lacks one of the facts.
+[[nodiscard]] SummaryFacts facts_in_summary(const std::filesystem::path& path);
 
 /// The status in the summary.json of a run.
 [[nodiscard]] std::string status_in_summary(const std::filesystem::path& path);

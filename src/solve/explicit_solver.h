@@ -104,6 +104,7 @@ class ExplicitSolver {
   void limit_step_to_snap(std::size_t element);
   void gather_ravelled();
   [[nodiscard]] double internal_energy() const;
+  [[nodiscard]] double stretch_energy() const;
   [[nodiscard]] double kinetic_energy() const;
 
   const model::Model& model_;

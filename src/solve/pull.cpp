@@ -3,23 +3,15 @@
 #include <algorithm>
 #include <utility>
 
+#include "model/bending_measure.h"
 #include "solve/constants.h"
 
 namespace knitmech::solve {
 
 namespace {
 
-double half_stitches(const model::Model& model) {
-  double yarn_length = 0;
-  for (const model::ModelYarn& yarn : model.yarns) {
-    yarn_length += model.arc_length[static_cast<std::size_t>(yarn.first_node + yarn.n_nodes - 1)];
-  }
-  return yarn_length / model.half_stitch_length;
-}
-
 PaceScale scale_of(const model::Model& model, double mass) {
-  const double bending = model.sections.front().bending_stiffness / model.half_stitch_length * half_stitches(model);
-  return {model.test.speed, model.test.gauge_length, model.test.strain, mass, bending};
+  return {model.test.speed, model.test.gauge_length, model.test.strain, mass, model::bending_measure(model)};
 }
 
 }  // namespace

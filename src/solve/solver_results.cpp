@@ -25,6 +25,10 @@ double ExplicitSolver::internal_energy() const {
          folds_.energy();
 }
 
+double ExplicitSolver::stretch_energy() const {
+  return beam::stretch_energy(elements_, state_, team_) + nonlinear_.energy_beyond_secants(elements_, state_, team_);
+}
+
 double ExplicitSolver::kinetic_energy() const {
   if (steps_ == 0) return 0;
   model::NodalLoads free_loads = loads_;
@@ -47,6 +51,7 @@ model::HistoryRow ExplicitSolver::history() {
   impulse_top_ = impulse_bottom_ = impulse_time_ = 0;
   row.external_work = grips_.work() + pull_.work();
   row.internal_energy = internal_energy();
+  row.stretch_energy = stretch_energy();
   row.kinetic_energy = kinetic_energy();
   row.contact_energy = contact_.energy();
   row.friction_loss = earlier_.friction_loss + contact_.friction_loss();

@@ -169,13 +169,19 @@ TEST(NonlinearAxial, GivenAFrame_ThenForcesAreThoseOfTheLawAndTheEnergiesOfItsEl
   beam::set_section_results(beams.elements, state, frame);
   beams.nonlinear.correct_stretch_energy(beams.elements, frame);
   double sum = 0;
+  double stretch = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     const double strain = chord_strain(model, state, i);
     const double expected = i == 1 ? measured().slope_at_zero() * strain : measured().force(strain);
     EXPECT_NEAR(frame.axial_force[i], expected, 1e-12 * std::abs(expected)) << "element " << i;
+    stretch += frame.stretch_energy[i];
     sum += frame.stretch_energy[i] + frame.bending_energy[i] + frame.twist_energy[i];
   }
   EXPECT_NEAR(sum, energy, 1e-12 * energy);
+  const double of_all =
+      beam::stretch_energy(beams.elements, state) + beams.nonlinear.energy_beyond_secants(beams.elements, state);
+  EXPECT_NEAR(stretch, of_all, 1e-12 * of_all);
+  EXPECT_LT(stretch, 0.99 * energy);  // so there is bending and twist as well
 }
 
 TEST(NonlinearAxial, GivenALawThatStiffens_ThenTheStableStepAndTheViscosityAreThoseOfItsLargestSlope) {

@@ -27,6 +27,7 @@ std::vector<double*> doubles_of(HistoryRow& row) {
           &row.force_bottom,
           &row.external_work,
           &row.internal_energy,
+          &row.stretch_energy,
           &row.kinetic_energy,
           &row.contact_energy,
           &row.friction_loss,
@@ -86,27 +87,28 @@ TEST(HistoryFile, PutsEveryColumnUnderItsName) {
                                                    .force_bottom = 5,
                                                    .external_work = 6,
                                                    .internal_energy = 7,
-                                                   .kinetic_energy = 8,
-                                                   .contact_energy = 9,
-                                                   .friction_loss = 10,
-                                                   .damping_loss = 11,
-                                                   .break_loss = 12,
-                                                   .width = 13,
-                                                   .contacts = 14,
-                                                   .normal_force = 15,
-                                                   .largest_elastic_slip = 16,
-                                                   .largest_penetration = 17,
-                                                   .step = 18});
+                                                   .stretch_energy = 8,
+                                                   .kinetic_energy = 9,
+                                                   .contact_energy = 10,
+                                                   .friction_loss = 11,
+                                                   .damping_loss = 12,
+                                                   .break_loss = 13,
+                                                   .width = 14,
+                                                   .contacts = 15,
+                                                   .normal_force = 16,
+                                                   .largest_elastic_slip = 17,
+                                                   .largest_penetration = 18,
+                                                   .step = 19});
   // Then it reads 1, 2, 3, ...
-  EXPECT_EQ(line, "1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16,17,18\n");
+  EXPECT_EQ(line, "1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16,17,18,19\n");
 }
 
 TEST(HistoryFile, AcceptsOtherLineEndsAndAnEmptyHistory) {
   const test::TemporaryFolder folder;
   const std::filesystem::path path = folder.path() / "history.csv";
-  test::write_text(path, std::string{kHistoryHeader} + "\r\n1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16,17,18\r\n\r\n");
+  test::write_text(path, std::string{kHistoryHeader} + "\r\n1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16,17,18,19\r\n\r\n");
   ASSERT_EQ(read_history(path).size(), 1U);
-  EXPECT_EQ(read_history(path).front().step, 18);
+  EXPECT_EQ(read_history(path).front().step, 19);
   test::write_text(path, history_of(""));
   EXPECT_TRUE(read_history(path).empty());
 }
@@ -118,16 +120,16 @@ TEST(HistoryFile, SaysWhereAFileIsWrong) {
     test::write_text(path, text);
     return [&path] { static_cast<void>(read_history(path)); };
   };
-  const std::string good = "1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16,17,18\n";
+  const std::string good = "1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16,17,18,19\n";
   EXPECT_THAT(reading("time,force\n1,2\n"),
               ThrowsMessage<InputError>(AllOf(HasSubstr(path.string()), HasSubstr("line 1"), HasSubstr("time_s,"))));
   EXPECT_THAT(reading(""), ThrowsMessage<InputError>(HasSubstr("line 1")));
   EXPECT_THAT(reading(history_of(good + "1,2,3\n")),
-              ThrowsMessage<InputError>(AllOf(HasSubstr("line 3"), HasSubstr("18 numbers"), HasSubstr("found 3"))));
-  EXPECT_THAT(reading(history_of(good + "1,2,3,4x,5,6,7,8,9,10,11,12,13,14,15,16,17,18\n")),
+              ThrowsMessage<InputError>(AllOf(HasSubstr("line 3"), HasSubstr("19 numbers"), HasSubstr("found 3"))));
+  EXPECT_THAT(reading(history_of(good + "1,2,3,4x,5,6,7,8,9,10,11,12,13,14,15,16,17,18,19\n")),
               ThrowsMessage<InputError>(AllOf(HasSubstr("line 3"), HasSubstr("force_top_N"), HasSubstr("\"4x\""))));
-  EXPECT_THAT(reading(history_of("1,2,3,4,5,6,7,8,9,10,11,12,13,14.5,15,16,17,18\n")),
-              ThrowsMessage<InputError>(AllOf(HasSubstr("line 2"), HasSubstr("contacts"), HasSubstr("\"14.5\""))));
+  EXPECT_THAT(reading(history_of("1,2,3,4,5,6,7,8,9,10,11,12,13,14,15.5,16,17,18,19\n")),
+              ThrowsMessage<InputError>(AllOf(HasSubstr("line 2"), HasSubstr("contacts"), HasSubstr("\"15.5\""))));
   EXPECT_THAT([] { static_cast<void>(read_history("/no/such/history.csv")); },
               ThrowsMessage<FileError>(HasSubstr("/no/such/history.csv")));
 }

@@ -9,6 +9,7 @@
 
 #include "base/errors.h"
 #include "results/atomic_file.h"
+#include "results/constants.h"
 #include "results/contact_file.h"
 #include "results/history_file.h"
 #include "sample_run.h"
@@ -112,6 +113,39 @@ TEST_F(RunFolderTest, HoldsTheContactsOfEachFrameForTablesAndForParaView) {
   EXPECT_EQ(read_file(frames / "contacts_0001.csv"), contact_table_text(model_, two));
   EXPECT_EQ(test::read_vtk_xml(read_file(frames / "contacts_0000.vtp")).piece.at("NumberOfPoints"), "3");
   EXPECT_EQ(test::read_vtk_xml(read_file(frames / "contacts_0001.vtp")).piece.at("NumberOfPoints"), "2");
+}
+
+TEST_F(RunFolderTest, TheSummaryNamesTheStagesAndMeasuresTheCurveAtTheFrames) {
+  // Given a curve whose strain energy, the square of the strain, reaches 0.03 EI / l of its half stitches at 0.1.
+  model::Model model = model_;
+  model.half_stitch_length = 0.5;
+  const double n_half_stitches = (0.2 + 0.6) / 0.5;  // the last nodes of the two yarns
+  model.sections.front().bending_stiffness = 0.1 * 0.1 / kToeEnergy * 0.5 / n_half_stitches;
+  RunFolder folder(dir_, "", model);
+  for (int i = 0; i <= 20; ++i) {
+    model::HistoryRow row = row_at(0.01 * i);
+    row.width = 10 - 2 * row.strain;
+    folder.add_history(row);
+    model::Frame frame = test::awkward_frame(model, i / 20);
+    frame.history = row;
+    if (i % 20 == 0) folder.add_frame(frame);
+  }
+  folder.finish(model::RunOutcome{});
+  // Then the toe ends there, the bending stage at the end; the force rises by 1 N, 0.1 N/mm, per unit of strain.
+  const json stages = summary().at("stages");
+  ASSERT_EQ(stages.size(), 2U);
+  EXPECT_EQ(stages[0].at("name"), "toe");
+  EXPECT_NEAR(stages[0].at("to_strain").get<double>(), 0.1, 1e-3);
+  EXPECT_EQ(stages[1].at("name"), "bending");
+  EXPECT_EQ(stages[1].at("to_strain"), 0.2);
+  EXPECT_NEAR(stages[1].at("slope_N").get<double>(), 1, 1e-12);
+  EXPECT_NEAR(stages[1].at("slope_N_per_mm").get<double>(), 0.1, 1e-13);
+  const json measures = summary().at("measures");
+  EXPECT_TRUE(measures.at("stretch_strain").is_null());
+  ASSERT_EQ(measures.at("at").size(), 2U);
+  EXPECT_TRUE(measures.at("at")[0].at("poissons_ratio").is_null());
+  EXPECT_NEAR(measures.at("at")[1].at("poissons_ratio").get<double>(), 0.2, 1e-12);
+  EXPECT_NEAR(measures.at("at")[1].at("force_N_per_mm").get<double>(), 0.02, 1e-12);
 }
 
 TEST_F(RunFolderTest, TheSummaryCountsAndJudges) {

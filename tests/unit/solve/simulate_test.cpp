@@ -48,6 +48,20 @@ TEST(Simulate, GivenAStraightYarn_ThenForceAndEnergyAreThoseOfABar) {
   EXPECT_NEAR(heard.frames.back().axial_force[4], kAxial * strain, 2e-3 * kAxial * strain);
 }
 
+TEST(Simulate, GivenAFrame_ThenTheStretchEnergyOfItsElementsIsThatOfItsRow) {
+  // Reference: the sum over the elements, by another loop; and of a straight bar all of its strain energy.
+  Heard heard;
+  static_cast<void>(solve::simulate(straight_yarn(0.01), settings(20, {0.004}), heard.callbacks));
+  ASSERT_EQ(heard.frames.size(), 3U);
+  for (const model::Frame& frame : heard.frames) {
+    double sum = 0;
+    for (const double energy : frame.stretch_energy) sum += energy;
+    EXPECT_NEAR(frame.history.stretch_energy, sum, 1e-12 * sum);
+    EXPECT_NEAR(frame.history.stretch_energy, frame.history.internal_energy, 1e-9 * frame.history.internal_energy);
+  }
+  EXPECT_GT(heard.rows.back().stretch_energy, 0);
+}
+
 TEST(Simulate, GivenFramesAndHistoryPoints_ThenEachIsReportedWhereItWasAskedFor) {
   Heard heard;
   static_cast<void>(solve::simulate(straight_yarn(0.01), settings(20, {0.0025, 0.00333, 0.05}), heard.callbacks));

@@ -45,9 +45,9 @@ class Numbers {
   void add(const model::HistoryRow& row) {
     for (const double value :
          {row.time, row.displacement, row.strain, row.force_top, row.force_bottom, row.external_work,
-          row.internal_energy, row.kinetic_energy, row.contact_energy, row.friction_loss, row.damping_loss,
-          row.break_loss, row.width, static_cast<double>(row.contacts), row.normal_force, row.largest_elastic_slip,
-          row.largest_penetration, row.step}) {
+          row.internal_energy, row.stretch_energy, row.kinetic_energy, row.contact_energy, row.friction_loss,
+          row.damping_loss, row.break_loss, row.width, static_cast<double>(row.contacts), row.normal_force,
+          row.largest_elastic_slip, row.largest_penetration, row.step}) {
       add(value);
     }
   }
