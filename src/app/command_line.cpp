@@ -75,7 +75,7 @@ void add_run(CLI::App& app, Action& action) {
   command.add_flag("--quiet", options->quiet, "Write nothing but errors");
   command.add_flag("--json", options->json, "Write the outcome as JSON, for scripts, and nothing else");
   command.add_flag_callback(
-      "--no-pictures", [options] { options->pictures = false; }, "Draw no pictures of the frames and of the curve");
+      "--no-pictures", [options] { options->pictures = false; }, "Draw no pictures, and write no report");
   command
       .add_option("--threads", options->threads,
                   "Threads of the solver (default: one per processor, or fewer where the fabric is too small to keep "
@@ -250,10 +250,10 @@ int run_command_line(int argc, char** argv) {
   add_check(app, action);
   add_run(app, action);
   add_report(app, action);
-  add_study(app, action);
-  add_export(app, action);
-  add_yarn(app, action);
   add_render(app, action);
+  add_study(app, action);
+  add_yarn(app, action);
+  add_export(app, action);
   add_parameters(app, action);
 
   const bool as_json = std::find(argv, argv + argc, std::string_view("--json")) != argv + argc;

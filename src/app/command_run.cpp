@@ -14,8 +14,10 @@
 #include "app/run_texts.h"
 #include "model/bending_measure.h"
 #include "model/facts.h"
+#include "report/run_report.h"
 #include "results/atomic_file.h"
 #include "results/curve_stages.h"
+#include "results/read_run.h"
 #include "run/run_case.h"
 #include "run/run_start.h"
 
@@ -24,10 +26,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string paths_text(const fs::path& folder, bool pictures) {
+std::string paths_text(const fs::path& folder, bool pictures, bool report) {
   std::string text =
       fmt::format("Results: {}\n  history.csv, summary.json, frames/frames.pvd (for ParaView)", folder.string());
   if (pictures) text += ",\n  pictures/force-strain.svg, pictures/frame_*.png";
+  if (report) text += ",\n  report.html (opens in a browser), figures/";
   return text + "\n";
 }
 
@@ -69,12 +72,15 @@ ExitCode run_command(const RunOptions& options) {
   const fs::path& folder = start.folder;
   const bool talks = !options.quiet && !options.json;
 
+  if (!start.checkpoint) report::remove_run_report(folder);
   if (talks) print_head(start, settings.simulation);
   const run::RunResult result = run_with_progress(start, settings, talks);
+  const bool has_report = options.pictures && result.outcome.status != model::RunStatus::interrupted;
+  if (has_report) report::write_run_report(results::read_run(folder));
   if (talks) {
     const auto stages = results::curve_stages(result.history, model::bending_measure(model));
     fmt::print("{}{}", run_end_text(model, result.outcome, result.history.back(), result.quality, stages),
-               paths_text(folder, options.pictures));
+               paths_text(folder, options.pictures, has_report));
   }
   if (options.json) fmt::print("{}\n", run_json(results::read_file(folder / "summary.json"), folder));
   std::fflush(stdout);

@@ -47,29 +47,28 @@ double largest(const std::vector<HistoryRow>& history, double HistoryRow::*membe
   return result;
 }
 
-/// Least and greatest x of the nodes in each slice of the height.
-struct Slices {
-  double lowest = 0, thickness = 1;  ///< [mm]
-  std::vector<double> left, right;   ///< [mm]
+/// The nodes of one course, as far as their position is finite.
+struct CourseExtent {
+  double left = std::numeric_limits<double>::infinity();    ///< [mm]
+  double right = -std::numeric_limits<double>::infinity();  ///< [mm]
+  double height = 0;                                        ///< [mm], summed over the nodes
+  int n_nodes = 0;
 };
 
-Slices slices_of(const std::vector<Eigen::Vector3d>& points, std::size_t n_slices) {
-  constexpr double kFar = std::numeric_limits<double>::infinity();
-  double lowest = kFar, highest = -kFar;
-  for (const Eigen::Vector3d& point : points) {
+std::vector<CourseExtent> course_extents(const model::Model& model, const model::Frame& frame) {
+  std::vector<CourseExtent> courses;
+  for (std::size_t node = 0; node < frame.points.size(); ++node) {
+    const Eigen::Vector3d& point = frame.points[node];
     if (!point.allFinite()) continue;
-    lowest = std::min(lowest, point.y());
-    highest = std::max(highest, point.y());
+    const auto course = static_cast<std::size_t>(model.course[node]);
+    if (course >= courses.size()) courses.resize(course + 1);
+    CourseExtent& extent = courses[course];
+    extent.left = std::min(extent.left, point.x());
+    extent.right = std::max(extent.right, point.x());
+    extent.height += point.y();
+    ++extent.n_nodes;
   }
-  Slices slices{lowest, std::max((highest - lowest) / static_cast<double>(n_slices), 1e-9),
-                std::vector<double>(n_slices, kFar), std::vector<double>(n_slices, -kFar)};
-  for (const Eigen::Vector3d& point : points) {
-    if (!point.allFinite()) continue;
-    const auto i = std::min(static_cast<std::size_t>((point.y() - lowest) / slices.thickness), n_slices - 1);
-    slices.left[i] = std::min(slices.left[i], point.x());
-    slices.right[i] = std::max(slices.right[i], point.x());
-  }
-  return slices;
+  return courses;
 }
 
 }  // namespace
@@ -125,16 +124,13 @@ Chart contact_chart(const std::vector<NamedHistory>& runs) {
 }
 
 Chart width_profile_chart(const model::Model& model, const std::vector<model::Frame>& frames) {
-  Chart chart{.x_label = "Height [mm]", .y_label = "Width [mm]", .width = kWidth, .height = kHeight};
-  const int last_course = model.course.empty() ? 0 : *std::ranges::max_element(model.course);
-  const auto n_slices = static_cast<std::size_t>(std::max(last_course, 1)) + 1;
+  Chart chart{.x_label = "Mean height of the course [mm]", .y_label = "Width [mm]", .width = kWidth, .height = kHeight};
   for (const model::Frame& frame : frames) {
-    const Slices slices = slices_of(frame.points, n_slices);
     Series series{base::percent_text(frame.history.strain), {}, {}};
-    for (std::size_t i = 0; i < n_slices; ++i) {
-      if (slices.left[i] > slices.right[i]) continue;
-      series.x.push_back(slices.lowest + (static_cast<double>(i) + 0.5) * slices.thickness);
-      series.y.push_back(slices.right[i] - slices.left[i]);
+    for (const CourseExtent& course : course_extents(model, frame)) {
+      if (course.n_nodes == 0) continue;
+      series.x.push_back(course.height / course.n_nodes);
+      series.y.push_back(course.right - course.left);
     }
     chart.series.push_back(std::move(series));
   }

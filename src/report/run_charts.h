@@ -31,8 +31,8 @@ struct NamedHistory {
 /// Number of contacts, over strain [%].
 [[nodiscard]] picture::Chart contact_chart(const std::vector<NamedHistory>& runs);
 
-/// Extent across the pull [mm] over the height [mm], at each of some frames: the waist of the fabric. The fabric is cut
-/// into as many slices as it has courses.
+/// Extent across the pull [mm] of each course over its mean height [mm], at each of some frames: the waist of the
+/// fabric.
 [[nodiscard]] picture::Chart width_profile_chart(const model::Model& model, const std::vector<model::Frame>& frames);
 
 }  // namespace knitmech::report

@@ -6,9 +6,11 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
+#include "base/errors.h"
 #include "base/number_text.h"
 #include "model/facts.h"
 #include "model/parameters.h"
@@ -20,6 +22,7 @@
 #include "results/atomic_file.h"
 #include "results/frame_measures.h"
 #include "results/read_frame.h"
+#include "results/summary.h"
 
 namespace knitmech::report {
 namespace {
@@ -195,6 +198,24 @@ std::string footer_html(const StoredRun& run) {
 }
 
 }  // namespace
+
+void remove_run_report(const fs::path& run_folder) {
+  try {
+    if (!results::is_summary(run_folder / results::kSummaryFile)) return;
+    fs::remove(run_folder / kReportFile);
+    const fs::path figures = run_folder / kFiguresFolder;
+    if (!fs::is_directory(figures)) return;
+    std::vector<fs::path> ours;
+    for (const fs::directory_entry& entry : fs::directory_iterator(figures)) {
+      const fs::path extension = entry.path().extension();
+      if (extension == ".svg" || extension == ".png") ours.push_back(entry.path());
+    }
+    for (const fs::path& file : ours) fs::remove(file);
+    if (fs::is_empty(figures)) fs::remove(figures);
+  } catch (const fs::filesystem_error& error) {
+    throw FileError(fmt::format("cannot remove the report in {}: {}", run_folder.string(), error.code().message()));
+  }
+}
 
 void write_run_report(const StoredRun& run, int threads) {
   const Figures figures(run.dir / kFiguresFolder);

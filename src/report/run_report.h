@@ -18,6 +18,11 @@ inline constexpr const char* kFiguresFolder = "figures";
 /// @throws FileError if a file cannot be written; InputError if a stored frame is damaged
 void write_run_report(const results::StoredRun& run, int threads = 0);
 
+/// Removes the report of an earlier run from its folder, with the figures, so that it is not taken for that of the
+/// next. Other files in figures/ stay. A folder that is none of a run is left alone.
+/// @throws FileError if that fails
+void remove_run_report(const std::filesystem::path& run_folder);
+
 /// Frames that a report shows [-]; more make the page larger, about 0.5 MB each.
 inline constexpr std::size_t kMostFrames = 6;
 

@@ -9,7 +9,8 @@ expect_in out "120 elements, 122 nodes, 732 degrees of freedom" "loop length" "m
 expect_in out "100 %"
 expect_empty err
 for file in case.toml summary.json history.csv frames/frames.pvd frames/frame_0002.vtp frames/contacts.pvd \
-  frames/contacts_0002.vtp frames/contacts_0002.csv pictures/force-strain.svg pictures/frame_0002.png; do
+  frames/contacts_0002.vtp frames/contacts_0002.csv pictures/force-strain.svg pictures/frame_0002.png \
+  report.html figures/force-strain.svg figures/contact-force-0002.png; do
   expect_file "results/tiny/$file"
 done
 expect_in results/tiny/summary.json '"status": "completed"'
@@ -38,6 +39,22 @@ expect_same results/tiny/history.csv first.csv
 expect_same results/tiny/case.toml first.toml
 # Pictures of the earlier run do not stay beside results that they do not show.
 expect_no_file results/tiny/pictures
+expect_no_file results/tiny/report.html
+expect_no_file results/tiny/figures
+
+# The report needs no other file and no network, and the command makes it again.
+knitmech run tiny.toml --quiet
+cp results/tiny/report.html first.html
+grep -oE '(src|href)="[^"]{0,40}' first.html | grep -vE 'src="data:image/png;base64|href="#' >foreign
+expect_empty foreign
+expect_in first.html "Monofilament jersey" "<svg" "test.strain" "knitmech run"
+knitmech report results/tiny
+expect_code 0
+expect_in out "results/tiny/report.html"
+expect_same results/tiny/report.html first.html
+knitmech report jersey
+expect_code 2
+expect_in err "jersey"
 
 # A case called case.toml is named by its folder.
 mkdir -p jersey
