@@ -97,6 +97,7 @@ CurveStages curve_stages(const std::vector<HistoryRow>& history, double bending_
   };
   const auto toe_end = strain_of_energy(rows, kToeEnergy * bending_measure);
   add("toe", rows.front().strain, toe_end.value_or(end));
+  result.bending_strain = toe_end;
   if (!toe_end) return result;
 
   const std::vector<Growth> list = growths(rows, *toe_end);

@@ -29,6 +29,7 @@ struct CurveStage {
 /// curve ends where the first yarn breaks.
 struct CurveStages {
   std::vector<CurveStage> stages;  ///< those that the test reached, in order, each from the end of the one before
+  std::optional<double> bending_strain{};  ///< [-], where the toe ends; empty: the test ends before
   std::optional<double> stretch_strain{};  ///< [-], where stretching begins; empty: the test ends before
   /// Share of stretch in the growth of the strain energy over the last kWindow of the curve [-]; empty in the toe or if
   /// the energy does not grow. Beyond 0.5 the yarn stretches.

@@ -196,7 +196,8 @@ Json measures_block(const CurveStages& stages, const std::vector<HistoryRow>& hi
                     {"contraction", number(measure->contraction)},
                     {"poissons_ratio", number(measure->poissons_ratio)}});
   }
-  return {{"stretch_strain", number(stages.stretch_strain)},
+  return {{"bending_strain", number(stages.bending_strain)},
+          {"stretch_strain", number(stages.stretch_strain)},
           {"stretch_share_at_end", number(stages.stretch_share)},
           {"at", list}};
 }

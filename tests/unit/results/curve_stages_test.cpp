@@ -50,6 +50,7 @@ TEST(CurveStages, GivenAHistoryWithKnownKnots_ThenTheStagesAndTheirSlopesAreFoun
   EXPECT_EQ(found.stages[0].from, 0);
   EXPECT_NEAR(found.stages[0].to, kToeEnd, 5e-4);  // the distance of two rows
   EXPECT_EQ(found.stages[1].from, found.stages[0].to);
+  EXPECT_EQ(*found.bending_strain, found.stages[0].to);
   // In a window of kWindow that has the share x of stretching, stretch leads where 5 x > 1.
   ASSERT_TRUE(found.stretch_strain);
   EXPECT_NEAR(*found.stretch_strain, kStretchFrom + (0.2 - 0.5) * kWindow, 2e-4);
@@ -75,6 +76,7 @@ TEST(CurveStages, GivenATestThatEndsEarly_ThenItHasNoLaterStageAndSaysHowNearItI
   const CurveStages in_toe = curve_stages(known_history(0.1), kBending);
   ASSERT_EQ(in_toe.stages.size(), 1U);
   EXPECT_EQ(in_toe.stages[0].to, 0.1);
+  EXPECT_FALSE(in_toe.bending_strain);
   EXPECT_FALSE(in_toe.stretch_share);
 
   const CurveStages in_bending = curve_stages(known_history(0.25), kBending);
