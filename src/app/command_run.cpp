@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "app/commands.h"
+#include "app/compare_files.h"
 #include "app/interrupt.h"
 #include "app/json_text.h"
 #include "app/progress.h"
@@ -18,6 +19,7 @@
 #include "results/atomic_file.h"
 #include "results/curve_stages.h"
 #include "results/read_run.h"
+#include "results/summary.h"
 #include "run/run_case.h"
 #include "run/run_start.h"
 
@@ -51,6 +53,13 @@ void print_head(const run::RunStart& start, const solve::SimulationSettings& set
   std::fflush(stdout);
 }
 
+/// Reports and comparisons would be taken for those of the run that begins.
+void remove_what_shows_an_earlier_run(const run::RunStart& start) {
+  if (start.checkpoint || !results::is_summary(start.folder / results::kSummaryFile)) return;
+  report::remove_run_report(start.folder);
+  remove_comparison(start.folder);
+}
+
 run::RunResult run_with_progress(run::RunStart& start, const run::RunSettings& settings, bool talks) {
   const InterruptWatch watch;
   Progress progress(start.loaded.model.test, start.resumed_at().value_or(0), talks);
@@ -72,7 +81,7 @@ ExitCode run_command(const RunOptions& options) {
   const fs::path& folder = start.folder;
   const bool talks = !options.quiet && !options.json;
 
-  if (!start.checkpoint) report::remove_run_report(folder);
+  remove_what_shows_an_earlier_run(start);
   if (talks) print_head(start, settings.simulation);
   const run::RunResult result = run_with_progress(start, settings, talks);
   const bool has_report = options.pictures && result.outcome.status != model::RunStatus::interrupted;

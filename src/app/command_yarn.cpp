@@ -2,17 +2,14 @@
 
 #include <filesystem>
 #include <string>
-#include <system_error>
-#include <utility>
 #include <vector>
 
 #include "app/commands.h"
+#include "app/curve_results.h"
 #include "app/json_text.h"
 #include "app/yarn_analysis.h"
 #include "app/yarn_pictures.h"
 #include "app/yarn_texts.h"
-#include "base/errors.h"
-#include "base/text.h"
 #include "picture/chart.h"
 #include "results/atomic_file.h"
 
@@ -30,23 +27,9 @@ fs::path folder_of(const YarnOptions& options) {
   return options.folder.empty() ? "results" / fs::path(options.files.front()).stem() : fs::path(options.folder);
 }
 
-/// A curve that is read is never overwritten.
-void check_not_read(const fs::path& path, const std::vector<std::string>& files) {
-  for (const std::string& file : files) {
-    std::error_code not_there;
-    if (fs::equivalent(path, file, not_there)) {
-      throw InputError(
-          fmt::format("{} is one of the curves and would be overwritten; give another folder", base::in_quotes(file)));
-    }
-  }
-}
-
 void write_results(const fs::path& folder, const YarnAnalysis& analysis, const std::string& block,
                    const std::vector<std::string>& files) {
-  for (const char* name : {kSectionFile, kChartFile, kMeanFile}) check_not_read(folder / name, files);
-  std::error_code failed;
-  fs::create_directories(folder, failed);
-  if (failed) throw FileError(fmt::format("cannot write the folder {}: {}", folder.string(), failed.message()));
+  make_curve_folder(folder, {kSectionFile, kChartFile, kMeanFile}, files);
   results::write_file_atomically(folder / kMeanFile, mean_curve_csv(analysis.mean));
   results::write_file_atomically(folder / kChartFile, picture::chart_svg(yarn_chart(analysis)));
   if (!block.empty()) {

@@ -58,8 +58,9 @@ struct YarnOptions {
   std::vector<std::string> files;
   std::string diameter, linear_density, density;
   std::string gauge_length;
-  std::string from_force;             ///< the strain is counted from this force on
-  std::vector<double> range{0, 0.1};  ///< two strains, over which E is fitted
+  std::string load_column, extension_column;  ///< names in the files
+  std::string from_force;                     ///< the strain is counted from this force on
+  std::vector<double> range{0, 0.1};          ///< two strains, over which E is fitted
   std::optional<double> poissons_ratio;
   bool curve = false;  ///< the section block has the measured curve in place of E
   std::string folder;  ///< empty: results/<name of the first file>
@@ -80,6 +81,19 @@ struct RenderOptions {
   std::string file;            ///< empty: in the folder pictures/ of the run
 };
 
+/// Quantities are texts with a unit, empty where they are not given.
+struct CompareOptions {
+  std::string run;  ///< folder
+  std::vector<std::string> files;
+  std::string gauge_length, width;            ///< of the specimens; empty: those of the run
+  std::string load_column, extension_column;  ///< names in the files
+  std::vector<std::string> samples;           ///< names of the specimens to take; empty: all
+  std::vector<double> at;                     ///< strains
+  std::string offset;                         ///< a strain, or "auto"; empty: none
+  std::string folder;                         ///< empty: `compare` in the folder of the run
+  bool json = false;
+};
+
 struct ParametersOptions {
   bool markdown = false;
 };
@@ -94,6 +108,7 @@ ExitCode run_command(const StudyOptions& options);
 ExitCode run_command(const ExportOptions& options);
 ExitCode run_command(const YarnOptions& options);
 ExitCode run_command(const RenderOptions& options);
+ExitCode run_command(const CompareOptions& options);
 ExitCode run_command(const ParametersOptions& options);
 
 }  // namespace knitmech::app

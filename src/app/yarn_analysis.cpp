@@ -3,14 +3,12 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <numbers>
-#include <system_error>
 
+#include "app/option_quantity.h"
 #include "base/errors.h"
 #include "base/quantity.h"
-#include "base/text.h"
+#include "yarn/curve_file.h"
 #include "yarn/tensile_curve.h"
 
 namespace knitmech::app {
@@ -18,45 +16,8 @@ namespace {
 
 using base::Dimension;
 
-constexpr std::size_t kLargestFile = 100'000'000;  // [bytes], some hundred hours of a testing machine
-
 /// Slope at zero of the measured curve over that of the fit below which the start of the curve looks slack [-].
 constexpr double kSlackSlope = 0.5;
-
-std::optional<double> quantity(const char* option, const std::string& text, Dimension dimension) {
-  if (text.empty()) return std::nullopt;
-  try {
-    return base::parse_quantity(text, dimension);
-  } catch (const InputError& error) {
-    throw InputError(fmt::format("{}: {}", option, error.what()));
-  }
-}
-
-/// The content of a file that may be anything, also one without an end.
-std::string curve_file_bytes(const std::string& path) {
-  const auto refuse = [&](const char* reason) {
-    throw FileError(fmt::format("cannot read {}: {}", base::in_quotes(path), reason));
-  };
-  std::error_code ignored;
-  if (!std::filesystem::exists(path, ignored)) refuse("there is no such file");
-  if (std::filesystem::is_directory(path, ignored)) refuse("it is a folder; give the files in it");
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) refuse("the file cannot be opened");
-  std::string bytes;
-  constexpr std::size_t kBlock = 1 << 20;
-  while (stream && bytes.size() <= kLargestFile) {
-    const std::size_t size = bytes.size();
-    bytes.resize(size + kBlock);
-    stream.read(bytes.data() + size, kBlock);
-    bytes.resize(size + static_cast<std::size_t>(stream.gcount()));
-  }
-  if (stream.bad()) refuse("reading failed");
-  if (bytes.size() > kLargestFile) {
-    throw InputError(fmt::format("{}: is larger than {} bytes; give the curves of fewer specimens, or fewer points",
-                                 path, kLargestFile));
-  }
-  return bytes;
-}
 
 yarn::StrainRange range_of(const YarnOptions& options) {
   const yarn::StrainRange range{options.range.front(), options.range.back()};
@@ -72,11 +33,11 @@ void check_poissons_ratio(const std::optional<double>& ratio) {
 }
 
 std::vector<yarn::TensileCurve> read_curves(const YarnOptions& options, const yarn::TestFacts& facts) {
-  const auto from_force = quantity("--from-force", options.from_force, Dimension::force);
+  const auto from_force = option_quantity("--from-force", options.from_force, Dimension::force);
   if (from_force && !(*from_force > 0)) throw InputError("--from-force: must be more than 0");
   std::vector<yarn::TensileCurve> curves;
   for (const std::string& file : options.files) {
-    for (const yarn::TensileCurve& curve : yarn::read_tensile_curves(curve_file_bytes(file), file, facts)) {
+    for (const yarn::TensileCurve& curve : yarn::read_tensile_curves(yarn::curve_file_bytes(file), file, facts)) {
       curves.push_back(yarn::up_to_break(from_force ? yarn::without_slack(curve, *from_force) : curve));
     }
   }
@@ -140,13 +101,14 @@ YarnAnalysis analyse_yarn(const YarnOptions& options) {
   YarnAnalysis analysis;
   analysis.poissons_ratio = options.poissons_ratio;
   analysis.fineness = yarn::completed(
-      {.diameter = quantity("--diameter", options.diameter, Dimension::length),
-       .linear_density = quantity("--linear-density", options.linear_density, Dimension::linear_density),
-       .density = quantity("--density", options.density, Dimension::density)});
+      {.diameter = option_quantity("--diameter", options.diameter, Dimension::length),
+       .linear_density = option_quantity("--linear-density", options.linear_density, Dimension::linear_density),
+       .density = option_quantity("--density", options.density, Dimension::density)});
   analysis.curves =
       read_curves(options, {.diameter = analysis.fineness.diameter,
                             .linear_density = analysis.fineness.linear_density,
-                            .gauge_length = quantity("--gauge-length", options.gauge_length, Dimension::length)});
+                            .gauge_length = option_quantity("--gauge-length", options.gauge_length, Dimension::length),
+                            .columns = {.load = options.load_column, .extension = options.extension_column}});
   analysis.mean = yarn::mean_of(analysis.curves);
   analysis.mean_break = mean_break(analysis.curves);
   analysis.fit = yarn::fit_line(analysis.mean.strains, analysis.mean.forces, range);

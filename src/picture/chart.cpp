@@ -30,6 +30,7 @@ constexpr const char* kFont = "DejaVu Sans, Helvetica, Arial, sans-serif";
 constexpr double kTextSize = 14;
 constexpr double kTitleSize = 16;
 constexpr double kMarkSize = 3.5;
+constexpr const char* kBandColour = "#d9d9d9";
 
 std::string escaped(const std::string& text) {
   std::string result;
@@ -97,11 +98,40 @@ Chart on_axes(Chart chart) {
     if (chart.log_x) std::transform(series.x.begin(), series.x.end(), series.x.begin(), logarithm);
     if (chart.log_y) std::transform(series.y.begin(), series.y.end(), series.y.begin(), logarithm);
   }
+  for (Band& band : chart.bands) {
+    if (chart.log_x) std::transform(band.x.begin(), band.x.end(), band.x.begin(), logarithm);
+    for (std::vector<double>* values : {&band.low, &band.high}) {
+      if (chart.log_y) std::transform(values->begin(), values->end(), values->begin(), logarithm);
+    }
+  }
   for (Note& note : chart.notes) {
     if (chart.log_x) note.x = logarithm(note.x);
     if (chart.log_y) note.y = logarithm(note.y);
   }
   return chart;
+}
+
+bool is_point(const Band& band, std::size_t i) {
+  return std::isfinite(band.x[i]) && std::isfinite(band.low[i]) && std::isfinite(band.high[i]);
+}
+
+void include_bands(const Chart& chart, Range& x, Range& y) {
+  for (const Band& band : chart.bands) {
+    if (band.low.size() != band.x.size() || band.high.size() != band.x.size()) {
+      throw std::invalid_argument(fmt::format("The band \"{}\" has {} x, {} low and {} high.", band.name, band.x.size(),
+                                              band.low.size(), band.high.size()));
+    }
+    for (std::size_t i = 0; i < band.x.size(); ++i) {
+      if (!is_point(band, i)) continue;
+      x.include(band.x[i]);
+      y.include(band.low[i]);
+      y.include(band.high[i]);
+    }
+  }
+}
+
+bool has_legend(const Chart& chart) {
+  return chart.series.size() > 1 || !chart.bands.empty();
 }
 
 Layout lay_out(const Chart& chart) {
@@ -119,13 +149,14 @@ Layout lay_out(const Chart& chart) {
       }
     }
   }
+  include_bands(chart, x, y);
   // Noise about zero, no thicker than a few lines, deserves no interval of its own below it.
   constexpr double kNoise = 0.02;
   if (!chart.log_y && y.lowest < 0 && -y.lowest < kNoise * y.highest) y.lowest = 0;
   Layout layout;
   layout.right = chart.width - 28.0;
   layout.top = chart.title.empty() ? 22.0 : 48.0;
-  if (chart.series.size() > 1) {
+  if (has_legend(chart)) {
     layout.legend_y = layout.top + 4;
     layout.top += 26;
   }
@@ -230,16 +261,42 @@ std::string series_lines(const Series& series, std::size_t index, const Layout& 
   return text;
 }
 
+/// One <polygon> for each run of finite points: along the low line and back along the high one.
+std::string band_areas(const Band& band, const Layout& layout) {
+  std::string text;
+  for (std::size_t begin = 0, end = 0; begin < band.x.size(); begin = end + 1) {
+    for (end = begin; end < band.x.size() && is_point(band, end); ++end) continue;
+    if (begin == end) continue;
+    std::string points;
+    const auto add = [&](std::size_t i, double value) {
+      points += fmt::format("{:.2f},{:.2f} ", layout.page_x(band.x[i]), layout.page_y(value));
+    };
+    for (std::size_t i = begin; i < end; ++i) add(i, band.low[i]);
+    for (std::size_t i = end; i > begin; --i) add(i - 1, band.high[i - 1]);
+    text += fmt::format("<polygon points=\"{}\" fill=\"{}\"/>\n", points, kBandColour);
+  }
+  return text;
+}
+
 std::string legend(const Chart& chart, const Layout& layout) {
   std::string text;
   double x = layout.left;
+  const auto add_name = [&](const std::string& name) {
+    text += text_element(x + 42, layout.legend_y + 5, kTextSize, "start", name);
+    // The reader's font is not known here: 0.62 of its size is a generous mean width of a letter.
+    x += 42 + 0.62 * kTextSize * static_cast<double>(name.size()) + 24;
+  };
   for (std::size_t i = 0; i < chart.series.size(); ++i) {
     if (chart.series[i].name.empty()) continue;
     text += chart.series[i].only_marks ? mark(x + 17, layout.legend_y, i)
                                        : line_element(x, layout.legend_y, x + 34, layout.legend_y, stroke(i).c_str());
-    text += text_element(x + 42, layout.legend_y + 5, kTextSize, "start", chart.series[i].name);
-    // The reader's font is not known here: 0.62 of its size is a generous mean width of a letter.
-    x += 42 + 0.62 * kTextSize * static_cast<double>(chart.series[i].name.size()) + 24;
+    add_name(chart.series[i].name);
+  }
+  for (const Band& band : chart.bands) {
+    if (band.name.empty()) continue;
+    text += fmt::format("<rect x=\"{:.2f}\" y=\"{:.2f}\" width=\"34\" height=\"12\" fill=\"{}\"/>\n", x,
+                        layout.legend_y - 6, kBandColour);
+    add_name(band.name);
   }
   return text;
 }
@@ -260,6 +317,7 @@ std::string chart_elements(const Chart& as_given) {
   if (!chart.title.empty()) {
     text += text_element(layout.left, 28, kTitleSize, "start", chart.title, " font-weight=\"bold\"");
   }
+  for (const Band& band : chart.bands) text += band_areas(band, layout);
   text += axes(chart, layout);
   std::string lines;
   // The first series is the main one and lies on top.
@@ -267,13 +325,13 @@ std::string chart_elements(const Chart& as_given) {
     const Series& series = chart.series[i - 1];
     lines += series.only_marks ? series_marks(series, i - 1, layout) : series_lines(series, i - 1, layout);
   }
-  if (lines.empty()) {
+  if (lines.empty() && chart.bands.empty()) {
     lines = text_element(0.5 * (layout.left + layout.right), 0.5 * (layout.top + layout.bottom), kTitleSize, "middle",
                          "no data");
   }
   text += lines;
   for (const Note& note : chart.notes) text += note_text(note, layout);
-  if (chart.series.size() > 1) {
+  if (has_legend(chart)) {
     text += legend(chart, layout);
   }
   return text;

@@ -14,6 +14,13 @@ struct Series {
   bool only_marks = false;
 };
 
+/// The area between two lines over the same x, shaded, behind all lines. Points that are not finite interrupt it.
+struct Band {
+  std::string name;
+  std::vector<double> x;
+  std::vector<double> low, high;  ///< as long as x
+};
+
 /// Text beside a point of a chart, at its right or at its left.
 struct Note {
   double x, y;
@@ -28,6 +35,7 @@ struct Chart {
   std::string x_label{};
   std::string y_label{};
   std::vector<Series> series{};
+  std::vector<Band> bands{};
   std::vector<Note> notes{};
   bool log_x = false, log_y = false;
   int width = 760;   ///< of the whole picture [px]
@@ -38,10 +46,10 @@ struct Chart {
 inline constexpr double kChartLineWidth = 2.2;
 
 /// A chart as an SVG document: lines in colours that colour-blind readers can tell apart and with different dashes,
-/// axes with round numbers that enclose all points, a legend if there is more than one series, text as text.
+/// axes with round numbers that enclose all points, a legend if there is more than one series or a band, text as text.
 ///
 /// A series of one point is a dot; a chart without points says "no data". Any text is allowed in names and labels.
-/// Throws std::invalid_argument if x and y of a series differ in length.
+/// Throws std::invalid_argument if x and y of a series, or x, low and high of a band, differ in length.
 [[nodiscard]] std::string chart_svg(const Chart& chart);
 
 /// Several charts in one document, one below the other.

@@ -29,6 +29,14 @@ constexpr std::array kUnits{
     ColumnUnit{{"kPa", 1, 1e3}, stress},
     ColumnUnit{{"Pa", 1, 1e6}, stress},
     ColumnUnit{{"N/mm^2"}, stress},
+    ColumnUnit{{"N/mm"}, force_per_width},
+    ColumnUnit{{"mN/mm", 1, 1e3}, force_per_width},
+    ColumnUnit{{"N/cm", 1, 10}, force_per_width},
+    ColumnUnit{{"cN/cm", 1, 1e3}, force_per_width},
+    ColumnUnit{{"N/m", 1, 1e3}, force_per_width},
+    ColumnUnit{{"kN/m"}, force_per_width},
+    ColumnUnit{{"N/5cm", 1, 50}, force_per_width},
+    ColumnUnit{{"gf/cm", 980665, 1e9}, force_per_width},
     ColumnUnit{{"%", 1, 1e2}, strain},
     ColumnUnit{{"-"}, strain},
     ColumnUnit{{"mm/mm"}, strain},
@@ -116,6 +124,14 @@ bool has_word(std::string_view head, const RoleWord& role_word) {
   return false;
 }
 
+/// Words of a strain across the pull.
+constexpr std::array kAcrossWords{RoleWord{"transvers", ColumnRole::extension},
+                                  RoleWord{"lateral", ColumnRole::extension}, RoleWord{"quer", ColumnRole::extension}};
+
+bool is_across(std::string_view head) {
+  return std::ranges::any_of(kAcrossWords, [head](const RoleWord& each) { return has_word(head, each); });
+}
+
 /// The role that a head names. A head that names both load and extension, as the title of a curve does, has none.
 std::optional<ColumnRole> role_of(std::string_view head) {
   const std::string text = plain(head);
@@ -124,7 +140,7 @@ std::optional<ColumnRole> role_of(std::string_view head) {
                                [&](const RoleWord& each) { return each.role == role && has_word(text, each); });
   };
   const bool load = names(ColumnRole::load);
-  const bool extension = names(ColumnRole::extension);
+  const bool extension = names(ColumnRole::extension) && !is_across(text);
   if (load && extension) return std::nullopt;
   if (load) return ColumnRole::load;
   if (extension) return ColumnRole::extension;
@@ -140,20 +156,24 @@ std::string_view without_brackets(std::string_view text) {
 }
 
 /// Every text of a head that may be its unit, the likeliest first.
-std::vector<std::string_view> possible_units(std::string_view head) {
-  std::vector<std::string_view> texts;
+std::vector<std::string> possible_units(std::string_view full_head) {
+  constexpr std::array kPer{Replacement{"_per_", "/"}, Replacement{" per ", "/"}};
+  const std::string with_slashes = replaced(std::string(full_head), kPer);
+  const std::string_view head = with_slashes;
+  std::vector<std::string> texts;
   const std::size_t opening = head.find_last_of("[(");
   if (opening != std::string_view::npos) {
     const std::size_t closing = head.find(head[opening] == '[' ? ']' : ')', opening);
-    if (closing != std::string_view::npos) texts.push_back(trimmed(head.substr(opening + 1, closing - opening - 1)));
+    if (closing != std::string_view::npos) texts.emplace_back(trimmed(head.substr(opening + 1, closing - opening - 1)));
   }
   constexpr std::string_view kIn = " in ";
-  if (const auto in = head.find(kIn); in != std::string_view::npos) texts.push_back(trimmed(head.substr(in + 4)));
-  if (const auto slash = head.find('/'); slash != std::string_view::npos && texts.empty()) {
-    texts.push_back(trimmed(head.substr(slash + 1)));
-  }
+  if (const auto in = head.find(kIn); in != std::string_view::npos) texts.emplace_back(trimmed(head.substr(in + 4)));
+  const bool bracketed = !texts.empty();
   if (const auto last = head.find_last_of(" _,"); last != std::string_view::npos) {
-    texts.push_back(trimmed(head.substr(last + 1)));
+    texts.emplace_back(trimmed(head.substr(last + 1)));
+  }
+  if (const auto slash = head.find('/'); slash != std::string_view::npos && !bracketed) {
+    texts.emplace_back(trimmed(head.substr(slash + 1)));
   }
   return texts;
 }
@@ -175,7 +195,7 @@ ColumnRole role_of(ColumnQuantity quantity) {
 void find_unit(Column& column) {
   if (column.role == ColumnRole::specimen) return;
   const auto texts = possible_units(column.head);
-  for (const std::string_view text : texts) {
+  for (const std::string& text : texts) {
     column.unit = find_column_unit(text, column.role);
     if (!column.unit) continue;
     column.unit_text = text;
@@ -185,18 +205,52 @@ void find_unit(Column& column) {
   if (in_brackets && !texts.empty()) column.unit_text = texts.front();
 }
 
+/// "axial_strain [-]" is the column of this head, or else that of the head "axial_strain" with the unit "-".
+bool is_chosen(std::string_view head, std::string_view chosen, std::string_view& unit) {
+  unit = {};
+  if (plain(head) == plain(trimmed(chosen))) return true;
+  const std::size_t opening = chosen.find_last_of("[(");
+  if (opening == std::string_view::npos) return false;
+  unit = without_brackets(trimmed(chosen.substr(opening)));
+  return plain(head) == plain(trimmed(chosen.substr(0, opening)));
+}
+
+/// The column of a head, without its index; empty if it is none.
+std::optional<Column> column_of(std::string_view head, const ColumnChoice& choice) {
+  for (const auto& [role, chosen] : {std::pair<ColumnRole, std::string_view>{ColumnRole::load, choice.load},
+                                     {ColumnRole::extension, choice.extension}}) {
+    std::string_view unit;
+    if (chosen.empty() || !is_chosen(head, chosen, unit)) continue;
+    Column column{.role = role, .head = std::string(head), .unit_text = std::string(unit)};
+    if (unit.empty()) {
+      find_unit(column);
+    } else {
+      column.unit = find_column_unit(unit, role);
+      column.unit_is_chosen = true;
+    }
+    return column;
+  }
+  const auto role = role_of(head);
+  if (!role || (*role == ColumnRole::load && !choice.load.empty()) ||
+      (*role == ColumnRole::extension && !choice.extension.empty())) {
+    return std::nullopt;
+  }
+  Column column{.role = *role, .head = std::string(head), .unit_text = {}};
+  find_unit(column);
+  return column;
+}
+
 }  // namespace
 
-std::vector<Column> columns_named_in(std::span<const std::string_view> cells) {
+std::vector<Column> columns_named_in(std::span<const std::string_view> cells, const ColumnChoice& choice) {
   std::vector<Column> columns;
   for (std::size_t i = 0; i < cells.size(); ++i) {
     constexpr std::size_t kLongestHead = 80;
     if (cells[i].size() > kLongestHead || looks_like_number(cells[i])) continue;
-    const auto role = role_of(cells[i]);
-    if (!role) continue;
-    Column column{.index = i, .role = *role, .head = std::string(cells[i]), .unit_text = {}};
-    find_unit(column);
-    columns.push_back(std::move(column));
+    if (auto column = column_of(cells[i], choice)) {
+      column->index = i;
+      columns.push_back(*std::move(column));
+    }
   }
   return columns;
 }

@@ -25,6 +25,7 @@ struct CurveHead {
   std::vector<Pair> pairs;
   bool shared_extension = false;             ///< all pairs have the same column of extension
   std::vector<std::size_t> specimen_column;  ///< one index or none
+  bool per_width = false;                    ///< the load is a force per width
   double newton_per_load = 0;                ///< [N] of a 1 in a column of load
   double strain_per_extension = 0;           ///< [-] of a 1 in a column of extension
 };

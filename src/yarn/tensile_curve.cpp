@@ -98,12 +98,15 @@ std::vector<TensileCurve> read_rows(const std::vector<std::string_view>& lines, 
 std::vector<TensileCurve> curves_in(std::string_view bytes, const std::string& file, const TestFacts& facts) {
   const std::string text = table_text(bytes);
   const std::vector<std::string_view> lines = lines_of(text);
-  std::vector<TensileCurve> curves = read_rows(lines, find_curve_head(lines, facts));
+  const CurveHead head = find_curve_head(lines, facts);
+  std::vector<TensileCurve> curves = read_rows(lines, head);
   for (TensileCurve& curve : curves) {
     if (curve.strains.size() < 2) {
       throw InputError(fmt::format("specimen {} has {} points, but a curve needs at least 2",
                                    base::in_quotes(curve.name), curve.strains.size()));
     }
+    curve.specimen = curve.name;
+    curve.per_width = head.per_width;
     curve.name = curves.size() == 1 ? file : fmt::format("{}, specimen {}", file, curve.name);
   }
   return curves;
@@ -118,6 +121,7 @@ void check_facts(const TestFacts& facts) {
   check("diameter", facts.diameter);
   check("linear density", facts.linear_density);
   check("gauge length", facts.gauge_length);
+  check("width", facts.width);
 }
 
 }  // namespace

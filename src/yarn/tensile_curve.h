@@ -5,20 +5,26 @@
 #include <string_view>
 #include <vector>
 
+#include "yarn/curve_columns.h"
+
 namespace knitmech::yarn {
 
-/// The readings of one tensile test of a yarn, in the order of the file.
+/// The readings of one tensile test of a yarn or a fabric, in the order of the file.
 struct TensileCurve {
   std::string name;             ///< of the specimen, for messages and legends: the file, and which one in it
   std::vector<double> strains;  ///< of the gauge length [-]
   std::vector<double> forces;   ///< as many [N]
+  std::string specimen{};       ///< its name in its file: that in the column of specimens, or its number
+  bool per_width = false;       ///< the file tells forces per width
 };
 
-/// What is known of the yarn and its test besides the file; needed where a column asks for it.
+/// What is known of the yarn or fabric and its test besides the file; needed where a column asks for it.
 struct TestFacts {
   std::optional<double> diameter{};        ///< D [mm], turns a stress into a force
   std::optional<double> linear_density{};  ///< [t/mm] (1 tex = 1e-12 t/mm), turns a force per tex into a force
   std::optional<double> gauge_length{};    ///< free length between the grips [mm], turns a displacement into a strain
+  std::optional<double> width{};           ///< of a fabric [mm], turns a force per width into a force
+  ColumnChoice columns{};                  ///< which to take
 };
 
 /// The tensile curves in a text as testing machines export it.
@@ -30,8 +36,8 @@ struct TestFacts {
 /// - One pair of columns is one specimen, or several if there is a column of specimens. Several pairs side by side are
 /// as
 ///   many specimens; so are several columns of load beside one of extension.
-/// - Of several kinds of load the first of force, force per linear density, stress is taken for which the facts
-/// suffice; of
+/// - Of several kinds of load the first of force, force per linear density, stress, force per width is taken for which
+/// the facts suffice; of
 ///   several kinds of extension the strain, then the displacement. Other columns do not matter.
 /// - Empty lines are skipped, and so are pairs of empty cells, as shorter specimens have them at their end. An empty
 /// cell of

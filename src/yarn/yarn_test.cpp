@@ -81,10 +81,14 @@ void check_strain_rises(const TensileCurve& curve, std::size_t last) {
 TensileCurve up_to_break(const TensileCurve& curve) {
   const auto last = static_cast<std::size_t>(index_of_largest(curve.forces));
   if (!(curve.forces[last] > 0)) {
-    throw InputError(fmt::format("{}: no force is above 0; a yarn in tension needs positive forces", curve.name));
+    throw InputError(fmt::format("{}: no force is above 0; a test in tension needs positive forces", curve.name));
   }
   check_strain_rises(curve, last);
-  TensileCurve result{.name = curve.name, .strains = {curve.strains[0]}, .forces = {curve.forces[0]}};
+  TensileCurve result{.name = curve.name,
+                      .strains = {curve.strains[0]},
+                      .forces = {curve.forces[0]},
+                      .specimen = curve.specimen,
+                      .per_width = curve.per_width};
   for (std::size_t i = 1; i <= last; ++i) {
     if (!(curve.strains[i] > result.strains.back())) continue;
     result.strains.push_back(curve.strains[i]);
@@ -104,7 +108,9 @@ TensileCurve without_slack(const TensileCurve& curve, double least_force) {
   const auto from = static_cast<std::ptrdiff_t>(first);
   TensileCurve result{.name = curve.name,
                       .strains = {curve.strains.begin() + from, curve.strains.end()},
-                      .forces = {curve.forces.begin() + from, curve.forces.end()}};
+                      .forces = {curve.forces.begin() + from, curve.forces.end()},
+                      .specimen = curve.specimen,
+                      .per_width = curve.per_width};
   for (double& strain : result.strains) strain -= curve.strains[first];
   return result;
 }

@@ -135,6 +135,39 @@ TEST(Chart, DrawsMarksInPlaceOfLinesAndNotesBesideThem) {
   EXPECT_EQ(count("text-anchor=\"end\">at the left<"), 1);
 }
 
+TEST(Chart, ShadesABandBetweenItsTwoLinesBehindAllOthers) {
+  // Given a line that runs in the middle of a band, which has a gap.
+  const double gap = std::numeric_limits<double>::quiet_NaN();
+  Chart chart;
+  chart.series = {{"line", {0, 1, 2, 3, 4}, {10, 20, 30, 40, 50}}};
+  chart.bands = {{"range", {0, 1, 2, 3, 4}, {0, 10, gap, 30, 40}, {20, 30, 40, 50, 60}}};
+  std::string svg = chart_svg(chart);
+  EXPECT_TRUE(is_well_formed(svg));
+  EXPECT_LT(svg.find("<polygon"), svg.find("<polyline"));
+  EXPECT_THAT(svg, HasSubstr(">range<"));
+  // Then there are two areas, along the low line and back along the high one, as far above as below the line.
+  const auto line = polylines(svg).at(0);
+  for (std::size_t at = svg.find("<polygon"); at != std::string::npos; at = svg.find("<polygon", at)) {
+    svg.replace(at, 8, "<polyline");
+  }
+  const auto lines = polylines(svg);
+  ASSERT_EQ(lines.size(), 3U);
+  for (std::size_t area = 0; area < 2; ++area) {
+    ASSERT_EQ(lines[area].size(), 4U);
+    for (std::size_t i = 0; i < 2; ++i) {
+      const Place& low = lines[area][i];
+      const Place& high = lines[area][3 - i];
+      const Place& middle = line[3 * area + i];
+      EXPECT_NEAR(low.x, middle.x, 0.02);
+      EXPECT_NEAR(high.x, middle.x, 0.02);
+      EXPECT_NEAR(low.y - middle.y, middle.y - high.y, 0.03);
+      EXPECT_GT(low.y - middle.y, 10);
+    }
+  }
+  chart.bands[0].low.pop_back();
+  EXPECT_THROW(static_cast<void>(chart_svg(chart)), std::invalid_argument);
+}
+
 TEST(Chart, LeavesSeriesWithoutANameOutOfTheLegend) {
   Chart chart;
   chart.series = {{"", {0, 1}, {0, 1}, true}, {"line", {0, 1}, {1, 2}}};

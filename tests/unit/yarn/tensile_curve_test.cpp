@@ -84,10 +84,39 @@ TEST(TensileCurve, TakesForceAndStrainBeforeStressAndDisplacement) {
   EXPECT_NEAR(stress[0].forces[1], 100 * std::numbers::pi * 0.0036, 1e-13);
 }
 
+TEST(TensileCurve, OfForcePerWidthIsForFabricsTimesTheirWidth) {
+  const std::string text = "stress_N_per_mm;Strain [%]\n0;0\n0.2;1\n";
+  const auto curves = read(text, {.width = 50});
+  EXPECT_NEAR(curves[0].forces[1], 10, 1e-12);
+  EXPECT_TRUE(curves[0].per_width);
+  EXPECT_FALSE(read("Force [N];Strain [%]\n0;0\n0.2;1\n", {.width = 50})[0].per_width);
+  // A yarn has no width, and a fabric no section.
+  EXPECT_THAT([&] { static_cast<void>(read(text)); },
+              ThrowsMessage<InputError>(AllOf(HasSubstr("lab.csv: line 1"), HasSubstr("fabrics"))));
+  EXPECT_THAT([&] { static_cast<void>(read("Stress [MPa];Strain [%]\n0;0\n1;1\n", {.width = 50})); },
+              ThrowsMessage<InputError>(AllOf(HasSubstr("lab.csv: line 1"), HasSubstr("N/mm"))));
+}
+
+TEST(TensileCurve, IsReadFromColumnsThatAreChosenByName) {
+  const std::string text = "Channel 1;Channel 2 [cN];Force [N];Transverse strain [%]\n0;0;9;9\n0.01;50;9;9\n";
+  TestFacts facts = all_facts();
+  facts.columns = {.load = "channel 2 [cN]", .extension = "Channel 1 [-]"};
+  const auto curves = read(text, facts);
+  ASSERT_EQ(curves.size(), 1);
+  EXPECT_THAT(curves[0].strains, ElementsAre(0, 0.01));
+  EXPECT_THAT(curves[0].forces, ElementsAre(0, 0.5));
+  // A line of units below the names says nothing about a column whose unit is chosen.
+  const TestFacts with_units_below = {.columns = {.load = "Channel 2", .extension = "Channel 1 [-]"}};
+  EXPECT_THAT(read("Channel 1;Channel 2\nV;cN\n0;0\n0.01;50\n", with_units_below)[0].forces, ElementsAre(0, 0.5));
+  facts.columns.load = "Channel 3 [N]";
+  EXPECT_THAT([&] { static_cast<void>(read(text, facts)); }, ThrowsMessage<InputError>(HasSubstr("\"Channel 3 [N]\"")));
+}
+
 TEST(TensileCurve, HasItsSpecimensInAColumn) {
   const auto curves = read("Specimen;Strain [%];Force [N]\nA;0;0\nB;0;0\n;1;0.4\nA;1;0.5\n\n;;\nB;2;0.7\n");
   ASSERT_EQ(curves.size(), 2);
   EXPECT_EQ(curves[0].name, "lab.csv, specimen A");
+  EXPECT_EQ(curves[1].specimen, "B");
   EXPECT_THAT(curves[0].forces, ElementsAre(0, 0.5));
   EXPECT_THAT(curves[1].forces, ElementsAre(0, 0.4, 0.7));
 }
