@@ -6,7 +6,7 @@ tiny_case tiny.toml
 knitmech run tiny.toml
 expect_code 0
 expect_in out "120 elements, 122 nodes, 732 degrees of freedom" "loop length" "mass scaling" "Quality:" "results/tiny"
-expect_in out "100 %"
+expect_in out "100 %" "Stages: toe to 2 % strain, slope "
 expect_empty err
 for file in case.toml summary.json history.csv frames/frames.pvd frames/frame_0002.vtp frames/contacts.pvd \
   frames/contacts_0002.vtp frames/contacts_0002.csv pictures/force-strain.svg pictures/frame_0002.png \
