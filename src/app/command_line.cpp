@@ -189,85 +189,87 @@ void add_render(CLI::App& app, Action& action) {
       ->excludes(range);
   command.add_option("-o,--output", options->file,
                      "Where to, a .png (default: in the folder pictures of RUN, named by frame, colour and view)");
-  void add_compare(CLI::App & app, Action & action) {
-    auto options = std::make_shared<CompareOptions>();
-    CLI::App& command =
-        *app.add_subcommand("compare", "Lay a simulated curve over measured ones and say how far they are apart");
-    command.add_option("RUN", options->run, "Folder of a run")->required();
-    command.add_option("CURVE", options->files, "Files of measured curves (CSV), one or several specimens each")
-        ->required();
-    command.add_option(
-        "--gauge-length", options->gauge_length,
-        "Length between the grips of the specimens, as \"100 mm\", for displacements in the files (default: "
-        "that of the run)");
-    command.add_option("--width", options->width,
-                       "Of the specimens, as \"50 mm\", for forces in the files (default: that of the run's fabric)");
-    add_column_options(command, options->load_column, options->extension_column);
-    command
-        .add_option("--sample", options->samples,
-                    "Name of a specimen to take, of several in the files; may be repeated")
-        ->expected(1)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-    command.add_option("--at", options->at, "Strains at which to tell the difference, as 0.1 0.2 (default: four)");
-    command.add_option("--offset", options->offset,
-                       "Slack of the specimens, a strain that is taken from theirs, as 0.02; auto: that with the least "
-                       "difference (default: none)");
-    command.add_option("-o,--output", options->folder,
-                       "Folder for compare.csv, compare.json and compare.svg (default: compare in RUN)");
-    command.add_flag("--json", options->json, "Write the result as JSON, for scripts, and nothing else");
-    on_parse(command, action, options);
-  }
+  on_parse(command, action, options);
+}
 
-  void add_parameters(CLI::App & app, Action & action) {
-    auto options = std::make_shared<ParametersOptions>();
-    CLI::App& command = *app.add_subcommand("parameters", "List every key of a case file with unit, default and range");
-    command.add_flag("--markdown", options->markdown, "As the page docs/input-reference.md");
-    on_parse(command, action, options);
-  }
+void add_compare(CLI::App& app, Action& action) {
+  auto options = std::make_shared<CompareOptions>();
+  CLI::App& command =
+      *app.add_subcommand("compare", "Lay a simulated curve over measured ones and say how far they are apart");
+  command.add_option("RUN", options->run, "Folder of a run")->required();
+  command.add_option("CURVE", options->files, "Files of measured curves (CSV), one or several specimens each")
+      ->required();
+  command.add_option(
+      "--gauge-length", options->gauge_length,
+      "Length between the grips of the specimens, as \"100 mm\", for displacements in the files (default: "
+      "that of the run)");
+  command.add_option("--width", options->width,
+                     "Of the specimens, as \"50 mm\", for forces in the files (default: that of the run's fabric)");
+  add_column_options(command, options->load_column, options->extension_column);
+  command
+      .add_option("--sample", options->samples, "Name of a specimen to take, of several in the files; may be repeated")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  command.add_option("--at", options->at, "Strains at which to tell the difference, as 0.1 0.2 (default: four)");
+  command.add_option("--offset", options->offset,
+                     "Slack of the specimens, a strain that is taken from theirs, as 0.02; auto: that with the least "
+                     "difference (default: none)");
+  command.add_option("-o,--output", options->folder,
+                     "Folder for compare.csv, compare.json and compare.svg (default: compare in RUN)");
+  command.add_flag("--json", options->json, "Write the result as JSON, for scripts, and nothing else");
+  on_parse(command, action, options);
+}
 
-  ExitCode report(bool as_json, ExitCode code, const std::string& text, const std::string& json) {
-    std::cerr << (as_json ? json : fmt::format("knitmech: error: {}", text)) << '\n';
+void add_parameters(CLI::App& app, Action& action) {
+  auto options = std::make_shared<ParametersOptions>();
+  CLI::App& command = *app.add_subcommand("parameters", "List every key of a case file with unit, default and range");
+  command.add_flag("--markdown", options->markdown, "As the page docs/input-reference.md");
+  on_parse(command, action, options);
+}
+
+ExitCode report(bool as_json, ExitCode code, const std::string& text, const std::string& json) {
+  std::cerr << (as_json ? json : fmt::format("knitmech: error: {}", text)) << '\n';
+  return code;
+}
+
+ExitCode run_action(const Action& action, bool as_json) {
+  try {
+    const ExitCode code = action();
+    if (std::fflush(stdout) != 0 || !std::cout) throw FileError("cannot write to standard output");
     return code;
+  } catch (const InputError& error) {
+    return report(as_json, kWrongInput, error.what(), error_json(error, kWrongInput));
+  } catch (const FileError& error) {
+    return report(as_json, kFileTrouble, error.what(), error_json(error, kFileTrouble));
+  } catch (const std::system_error& error) {
+    // The standard library's own, for instance a folder that may not be looked into.
+    return report(as_json, kFileTrouble, error.what(), error_json(error, kFileTrouble));
+  } catch (const std::bad_alloc&) {
+    const InputError error("the memory of this computer is too small for the model; take fewer stitches or elements");
+    return report(as_json, kWrongInput, error.what(), error_json(error, kWrongInput));
   }
+}
 
-  ExitCode run_action(const Action& action, bool as_json) {
-    try {
-      const ExitCode code = action();
-      if (std::fflush(stdout) != 0 || !std::cout) throw FileError("cannot write to standard output");
-      return code;
-    } catch (const InputError& error) {
-      return report(as_json, kWrongInput, error.what(), error_json(error, kWrongInput));
-    } catch (const FileError& error) {
-      return report(as_json, kFileTrouble, error.what(), error_json(error, kFileTrouble));
-    } catch (const std::system_error& error) {
-      // The standard library's own, for instance a folder that may not be looked into.
-      return report(as_json, kFileTrouble, error.what(), error_json(error, kFileTrouble));
-    } catch (const std::bad_alloc&) {
-      const InputError error("the memory of this computer is too small for the model; take fewer stitches or elements");
-      return report(as_json, kWrongInput, error.what(), error_json(error, kWrongInput));
-    }
-  }
+/// What is wrong with a word that stands where the command should be; empty if nothing is.
+std::string complaint_about_command(const CLI::App& app, std::string_view word) {
+  const auto commands = app.get_subcommands([](const CLI::App*) { return true; });
+  std::vector<std::string_view> names;
+  names.reserve(commands.size());
+  for (const CLI::App* command : commands) names.emplace_back(command->get_name());
+  if (word.starts_with('-') || std::ranges::find(names, word) != names.end()) return {};
+  const std::string_view nearest = base::nearest_word(word, names);
+  const std::string advice = nearest.empty() ? fmt::format("the commands are {}", base::alternatives(names))
+                                             : fmt::format("did you mean {}?", nearest);
+  return fmt::format("there is no command {}; {}", base::in_quotes(word), advice);
+}
 
-  /// What is wrong with a word that stands where the command should be; empty if nothing is.
-  std::string complaint_about_command(const CLI::App& app, std::string_view word) {
-    const auto commands = app.get_subcommands([](const CLI::App*) { return true; });
-    std::vector<std::string_view> names;
-    names.reserve(commands.size());
-    for (const CLI::App* command : commands) names.emplace_back(command->get_name());
-    if (word.starts_with('-') || std::ranges::find(names, word) != names.end()) return {};
-    const std::string_view nearest = base::nearest_word(word, names);
-    const std::string advice = nearest.empty() ? fmt::format("the commands are {}", base::alternatives(names))
-                                               : fmt::format("did you mean {}?", nearest);
-    return fmt::format("there is no command {}; {}", base::in_quotes(word), advice);
-  }
-
-  std::string usage_complaint(const CLI::App& app, const CLI::ParseError& error, const char* first_word) {
-    std::string complaint = first_word == nullptr ? "" : complaint_about_command(app, first_word);
-    if (!complaint.empty()) return complaint;
-    const auto chosen = app.get_subcommands();
-    const std::string command = chosen.empty() ? "knitmech" : "knitmech " + chosen.front()->get_name();
-    return fmt::format("{}; see {} --help", error.what(), command);
-  }
+std::string usage_complaint(const CLI::App& app, const CLI::ParseError& error, const char* first_word) {
+  std::string complaint = first_word == nullptr ? "" : complaint_about_command(app, first_word);
+  if (!complaint.empty()) return complaint;
+  const auto chosen = app.get_subcommands();
+  const std::string command = chosen.empty() ? "knitmech" : "knitmech " + chosen.front()->get_name();
+  return fmt::format("{}; see {} --help", error.what(), command);
+}
 
 }  // namespace
 
