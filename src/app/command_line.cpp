@@ -30,6 +30,7 @@ constexpr const char* kExamples =
     "  knitmech run --resume results/jersey   go on with a run that was interrupted\n"
     "  knitmech study study.toml              run many cases; leaves one table\n"
     "  knitmech render results/jersey --strain 0.16 --colour contact\n"
+    "  knitmech render results/jersey --animate stretch -o jersey.webp\n"
     "  knitmech export jersey.toml -f abaqus -o jersey.inp\n"
     "  knitmech yarn tensile.csv --diameter \"0.12 mm\" --density \"1140 kg/m^3\"\n"
     "  knitmech compare results/jersey fabric.csv --gauge-length \"100 mm\" --width \"50 mm\"\n"
@@ -165,7 +166,7 @@ void add_yarn(CLI::App& app, Action& action) {
 
 void add_render(CLI::App& app, Action& action) {
   auto options = std::make_shared<RenderOptions>();
-  CLI::App& command = *app.add_subcommand("render", "Draw a picture of a finished run");
+  CLI::App& command = *app.add_subcommand("render", "Draw pictures and films of a finished run");
   command.add_option("RUN", options->run, "Folder of the run")->required();
   CLI::Option* const frame =
       command.add_option("--frame", options->frame, "Number of a stored frame (default: the last)");
@@ -176,19 +177,34 @@ void add_render(CLI::App& app, Action& action) {
       "What the colour tells: plain, course, contact, curvature, axial-force, axial-strain, shear-force, "
       "bending-moment, torque or out-of-plane");
   command.add_option("--view", options->view, "front, back, side, top or oblique");
+  CLI::Option* const map = command.add_flag(
+      "--contact-map", options->contact_map,
+      "Draw a map of the contacts (SVG): discs as large as the normal force, coloured by stick and slip");
+  CLI::Option* const profile = command.add_flag("--side-profile", options->side_profile,
+                                                "Draw the fabric from the side as a chart (SVG): z over y");
+  profile->excludes(map);
+  command
+      .add_option("--animate", options->film,
+                  "Make a film: stretch, the stored frames one after the other and what is between them on straight "
+                  "lines; turn, one frame turning about y")
+      ->excludes(map, profile)
+      ->check(CLI::IsMember({"stretch", "turn"}));
+  command.add_option("--fps", options->pictures_per_second, "Pictures of the film per second (default: 20)");
+  command.add_option("--seconds", options->seconds, "That the film takes (default: 4)");
   command
       .add_option("--window", options->window,
                   "Part of the fabric: its left, right, bottom and top as shares of the whole, as 0 0.5 0.5 1")
       ->expected(4);
   command.add_option("--width", options->width, "Of the picture in px (default: as the fabric asks for)");
-  command.add_option("--height", options->height, "Of the picture in px (default: 1400)");
+  command.add_option("--height", options->height, "Of the picture in px (default: 1400, of a film 720)");
   CLI::Option* const range = command.add_option("--range", options->range,
                                                 "Values at the two ends of the colours (default: those of the frame)");
   range->expected(2);
   command.add_flag("--same-range", options->same_range, "Let the colours span the values of all frames of the run")
       ->excludes(range);
   command.add_option("-o,--output", options->file,
-                     "Where to, a .png (default: in the folder pictures of RUN, named by frame, colour and view)");
+                     "Where to: a .png, a film a .webp, a map or a chart a .svg (default: in the folder pictures of "
+                     "RUN, named by what it shows)");
   on_parse(command, action, options);
 }
 

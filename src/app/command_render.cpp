@@ -7,12 +7,17 @@
 
 #include "app/commands.h"
 #include "app/picture_words.h"
+#include "app/render_film.h"
 #include "app/run_texts.h"
 #include "base/errors.h"
 #include "base/text.h"
+#include "picture/contact_map.h"
 #include "picture/fabric_picture.h"
+#include "picture/side_profile.h"
+#include "results/atomic_file.h"
 #include "results/read_frame.h"
 #include "results/read_run.h"
+#include "run/run_pictures.h"
 
 namespace knitmech::app {
 namespace {
@@ -53,7 +58,8 @@ PictureOptions picture_options(const StoredRun& run, const RenderOptions& option
     picture.window = {options.window[0], options.window[1], options.window[2], options.window[3]};
   }
   if (!options.range.empty()) picture.range = {options.range[0], options.range[1]};
-  if (options.same_range) picture.range = range_of_all(run, picture.colour_by);
+  if (options.same_range || (options.film == "stretch" && options.range.empty()))
+    picture.range = range_of_all(run, picture.colour_by);
   return picture;
 }
 
@@ -63,8 +69,8 @@ void make_folder_of(const fs::path& file) {
   if (code) throw FileError(fmt::format("cannot write the folder {}: {}", file.parent_path().string(), code.message()));
 }
 
-/// Where a picture goes: where the user says, or into the folder pictures/ of the run under a name.
-fs::path picture_file(const RenderOptions& options, const std::string& name) {
+/// Where a picture or a film goes: where the user says, or into the folder pictures/ of the run under a name.
+fs::path output_file(const RenderOptions& options, const std::string& name) {
   if (options.file.empty()) {
     const fs::path file = fs::path(options.run) / "pictures" / name;
     make_folder_of(file);
@@ -72,8 +78,9 @@ fs::path picture_file(const RenderOptions& options, const std::string& name) {
   }
   const fs::path wanted = fs::path(name).extension();
   if (fs::path(options.file).extension() != wanted) {
-    throw InputError(fmt::format("{} cannot be written: the picture is a {} file; let its name end so",
-                                 base::in_quotes(options.file), wanted.string()));
+    throw InputError(fmt::format("{} cannot be written: {} is a {} file; let its name end so",
+                                 base::in_quotes(options.file), options.film.empty() ? "the picture" : "a film",
+                                 wanted.string()));
   }
   return options.file;
 }
@@ -82,20 +89,53 @@ void check(const RenderOptions& options) {
   if (options.strain && !std::isfinite(*options.strain)) throw InputError("--strain should be a number, as 0.16");
 }
 
+/// A map or a chart, as text.
+ExitCode draw_plan(const StoredRun& run, const RenderOptions& options) {
+  const model::Frame frame = results::read_frame(run, chosen_frame(run, options));
+  const std::string caption = run::caption_of(frame.history);
+  const fs::path file = output_file(
+      options, fmt::format("frame_{:04}-{}.svg", frame.index, options.contact_map ? "contact-map" : "side-profile"));
+  results::write_file_atomically(file, options.contact_map ? picture::contact_map_svg(run.model, frame, caption)
+                                                           : picture::side_profile_svg(run.model, frame, caption));
+  fmt::print("Wrote {}: frame {}, {}\n", file.string(), frame.index, caption);
+  return kDone;
+}
+
+ExitCode draw_picture(const StoredRun& run, const RenderOptions& options) {
+  PictureOptions picture = picture_options(run, options);
+  const model::Frame frame = results::read_frame(run, chosen_frame(run, options));
+  picture.caption = run::caption_of(frame.history);
+  const fs::path file =
+      output_file(options, fmt::format("frame_{:04}-{}-{}.png", frame.index, options.colour, options.view));
+  picture::write_fabric_picture(file, run.model, frame, picture);
+  fmt::print("Wrote {}: frame {}, {}\n", file.string(), frame.index, picture.caption);
+  return kDone;
+}
+
+ExitCode make_film(const StoredRun& run, const RenderOptions& options) {
+  PictureOptions picture = picture_options(run, options);
+  picture.height = options.height.value_or(kFilmHeight);
+  const FilmTimes times{options.pictures_per_second, options.seconds};
+  if (options.film == "stretch") {
+    const fs::path file = output_file(options, fmt::format("film-stretch-{}-{}.webp", options.colour, options.view));
+    write_stretch_film(file, run, picture, times);
+  } else {
+    const model::Frame frame = results::read_frame(run, chosen_frame(run, options));
+    picture.caption = run::caption_of(frame.history);
+    const fs::path file = output_file(
+        options, fmt::format("film-turn-{}-{}-frame_{:04}.webp", options.colour, options.view, frame.index));
+    write_turn_film(file, run.model, frame, picture, times);
+  }
+  return kDone;
+}
+
 }  // namespace
 
 ExitCode run_command(const RenderOptions& options) {
   check(options);
   const StoredRun run = results::read_run(options.run);
-  PictureOptions picture = picture_options(run, options);
-  const model::Frame frame = results::read_frame(run, chosen_frame(run, options));
-  picture.caption =
-      fmt::format("{} strain, {}", percent_text(frame.history.strain), force_text(frame.history.force_top));
-  const fs::path file =
-      picture_file(options, fmt::format("frame_{:04}-{}-{}.png", frame.index, options.colour, options.view));
-  picture::write_fabric_picture(file, run.model, frame, picture);
-  fmt::print("Wrote {}: frame {}, {}\n", file.string(), frame.index, picture.caption);
-  return kDone;
+  if (options.contact_map || options.side_profile) return draw_plan(run, options);
+  return options.film.empty() ? draw_picture(run, options) : make_film(run, options);
 }
 
 }  // namespace knitmech::app

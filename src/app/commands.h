@@ -73,12 +73,16 @@ struct RenderOptions {
   std::optional<int> frame;      ///< empty with strain empty: the last one
   std::optional<double> strain;  ///< [-]; the nearest stored frame
   std::string colour = "plain", view = "front";
-  std::vector<double> window;  ///< left, right, bottom, top; empty: the whole fabric
-  int width = 0;               ///< [px]; 0: as the proportions of the fabric ask for
-  std::optional<int> height;   ///< [px]
-  std::vector<double> range;   ///< two ends of the colours; empty: of what is drawn
-  bool same_range = false;     ///< the colours span the values of all stored frames
-  std::string file;            ///< empty: in the folder pictures/ of the run
+  std::vector<double> window;                      ///< left, right, bottom, top; empty: the whole fabric
+  int width = 0;                                   ///< [px]; 0: as the proportions of the fabric ask for
+  std::optional<int> height;                       ///< [px]
+  std::vector<double> range;                       ///< two ends of the colours; empty: of what is drawn
+  std::string film;                                ///< "stretch" or "turn"; empty: a picture
+  bool contact_map = false, side_profile = false;  ///< one of these in place of a picture
+  double pictures_per_second = 20;
+  double seconds = 4;       ///< that the film takes
+  bool same_range = false;  ///< the colours span the values of all stored frames
+  std::string file;         ///< empty: in the folder pictures/ of the run
 };
 
 /// Quantities are texts with a unit, empty where they are not given.

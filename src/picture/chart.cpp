@@ -8,6 +8,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "picture/svg.h"
 #include "picture/ticks.h"
 
 namespace knitmech::picture {
@@ -26,35 +27,10 @@ constexpr std::array<LineStyle, 6> kStyles{{{"#0072b2", ""},
                                             {"#56b4e9", ""},
                                             {"#000000", "7 4"}}};
 
-constexpr const char* kFont = "DejaVu Sans, Helvetica, Arial, sans-serif";
 constexpr double kTextSize = 14;
 constexpr double kTitleSize = 16;
 constexpr double kMarkSize = 3.5;
 constexpr const char* kBandColour = "#d9d9d9";
-
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      default:
-        // XML has no way to write control characters.
-        result += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
-    }
-  }
-  return result;
-}
 
 /// Where things lie on the page [px].
 struct Layout {
@@ -164,17 +140,6 @@ Layout lay_out(const Chart& chart) {
   layout.x = chart.log_x ? nice_log_ticks(x.lowest, x.highest) : nice_ticks(x.lowest, x.highest, 8);
   layout.y = chart.log_y ? nice_log_ticks(y.lowest, y.highest) : nice_ticks(y.lowest, y.highest, 6);
   return layout;
-}
-
-std::string text_element(double x, double y, double size, const char* anchor, const std::string& text,
-                         const std::string& more = {}) {
-  return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"{}\" text-anchor=\"{}\"{}>{}</text>\n", x, y, size,
-                     anchor, more, escaped(text));
-}
-
-std::string line_element(double x1, double y1, double x2, double y2, const char* attributes) {
-  return fmt::format("<line x1=\"{:.2f}\" y1=\"{:.2f}\" x2=\"{:.2f}\" y2=\"{:.2f}\" {}/>\n", x1, y1, x2, y2,
-                     attributes);
 }
 
 std::string axes(const Chart& chart, const Layout& layout) {
@@ -301,15 +266,6 @@ std::string legend(const Chart& chart, const Layout& layout) {
   return text;
 }
 
-std::string document(int width, int height, const std::string& elements) {
-  return fmt::format(
-      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" "
-      "font-family=\"{2}\" fill=\"#222222\">\n"
-      "<rect width=\"{0}\" height=\"{1}\" fill=\"#ffffff\"/>\n{3}</svg>\n",
-      width, height, kFont, elements);
-}
-
 std::string chart_elements(const Chart& as_given) {
   const Chart chart = on_axes(as_given);
   const Layout layout = lay_out(chart);
@@ -340,7 +296,7 @@ std::string chart_elements(const Chart& as_given) {
 }  // namespace
 
 std::string chart_svg(const Chart& chart) {
-  return document(chart.width, chart.height, chart_elements(chart));
+  return svg_document(chart.width, chart.height, chart_elements(chart));
 }
 
 std::string charts_svg(const std::vector<Chart>& charts) {
@@ -352,7 +308,7 @@ std::string charts_svg(const std::vector<Chart>& charts) {
     width = std::max(width, chart.width);
     height += chart.height;
   }
-  return document(width, height, elements);
+  return svg_document(width, height, elements);
 }
 
 }  // namespace knitmech::picture

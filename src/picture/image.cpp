@@ -38,8 +38,8 @@ void Image::fill(int left, int top, int right, int bottom, const Colour& colour)
   }
 }
 
-std::string png_bytes(const Image& image) {
-  std::vector<png_byte> rgb;
+std::vector<std::uint8_t> rgb_bytes(const Image& image) {
+  std::vector<std::uint8_t> rgb;
   rgb.reserve(3 * static_cast<std::size_t>(image.width()) * static_cast<std::size_t>(image.height()));
   for (int row = 0; row < image.height(); ++row) {
     for (int column = 0; column < image.width(); ++column) {
@@ -48,6 +48,11 @@ std::string png_bytes(const Image& image) {
       }
     }
   }
+  return rgb;
+}
+
+std::string png_bytes(const Image& image) {
+  const std::vector<std::uint8_t> rgb = rgb_bytes(image);
   png_image header{};
   header.version = PNG_IMAGE_VERSION;
   header.width = static_cast<png_uint_32>(image.width());

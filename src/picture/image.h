@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -34,6 +35,9 @@ class Image {
   int height_;
   std::vector<Colour> pixels_;
 };
+
+/// The picture as 8 bits a channel, sRGB: red, green and blue of each pixel, row by row from the top.
+[[nodiscard]] std::vector<std::uint8_t> rgb_bytes(const Image& image);
 
 /// The bytes of a PNG file: 8 bits a channel, sRGB, no transparency, no date, so that equal pictures give equal bytes.
 [[nodiscard]] std::string png_bytes(const Image& image);

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -27,14 +29,40 @@ std::string frame_name(int index) {
   return fmt::format("frame_{:04}.png", index);
 }
 
+/// Whether `knitmech render` gave a file of pictures/ its name: frame_0012-contact-front.png, film-turn-...webp.
+/// \param n_frames whose pictures stay
+bool is_outdated_rendering(const std::string& name, int n_frames) {
+  if (name.starts_with("film-") && name.ends_with(".webp")) return true;
+  constexpr std::string_view kStart = "frame_";
+  if (!name.starts_with(kStart) || !(name.ends_with(".png") || name.ends_with(".svg"))) return false;
+  int index = 0;
+  const char* const end = name.data() + name.size();
+  const auto [stop, error] = std::from_chars(name.data() + kStart.size(), end, index);
+  return error == std::errc{} && stop != end && *stop == '-' && index >= n_frames;
+}
+
+void remove_older_renderings(const fs::path& folder, int n_frames) {
+  if (!fs::is_directory(folder)) return;
+  std::vector<fs::path> outdated;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    if (is_outdated_rendering(entry.path().filename().string(), n_frames)) outdated.push_back(entry.path());
+  }
+  for (const fs::path& file : outdated) fs::remove(file);
+}
+
 /// \param n_frames that the run has already
 void remove_older_pictures(const fs::path& folder, int n_frames) {
   fs::remove(folder / kCurveFile);
   for (int i = n_frames; fs::remove(folder / frame_name(i)); ++i) continue;
+  remove_older_renderings(folder, n_frames);
   if (fs::is_directory(folder) && fs::is_empty(folder)) fs::remove(folder);
 }
 
 }  // namespace
+
+std::string caption_of(const model::HistoryRow& row) {
+  return fmt::format("{} strain, {}", base::percent_text(row.strain), base::force_text(row.force_top));
+}
 
 RunPictures::RunPictures(results::RunFolder& folder, const model::Model& model, bool wanted)
     : run_(folder), model_(model), wanted_(wanted), folder_(folder.path() / "pictures") {
@@ -63,8 +91,7 @@ void RunPictures::add_frame(const model::Frame& frame) {
 
 void RunPictures::draw(const model::Frame& frame) {
   picture::PictureOptions options;
-  options.caption =
-      fmt::format("{} strain, {}", base::percent_text(frame.history.strain), base::force_text(frame.history.force_top));
+  options.caption = caption_of(frame.history);
   try {
     picture::write_fabric_picture(folder_ / frame_name(frame.index), model_, frame, options);
   } catch (const InputError& error) {

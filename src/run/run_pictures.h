@@ -3,6 +3,7 @@
 #include <deque>
 #include <filesystem>
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "model/frame.h"
@@ -10,6 +11,9 @@
 #include "results/run_folder.h"
 
 namespace knitmech::run {
+
+/// "22 % strain, 19.6 mN": the caption of the picture of an instant.
+[[nodiscard]] std::string caption_of(const model::HistoryRow& row);
 
 /// The pictures of a run, in the folder pictures/ of its run folder: frame_0000.png and so on, and force-strain.svg.
 class RunPictures {

@@ -29,6 +29,36 @@ knitmech render results/tiny --window 0 0.5 0.5 1 --colour torque --range -0.001
 expect_code 0
 expect_file part.png
 
+# A map of the contacts and the fabric from the side, as drawings.
+knitmech render results/tiny --contact-map
+expect_code 0
+expect_in results/tiny/pictures/frame_0002-contact-map.svg "x [mm]" "y [mm]" "stick: " "slip: " "2 % strain, "
+knitmech render results/tiny --side-profile --frame 0 -o side.svg
+expect_code 0
+expect_in side.svg "z [mm]" "highest z" "0 % strain, "
+
+# Films: as many pictures as are asked for, and a last one that stays.
+pictures_in() {
+  grep -ao ANMF "$1" | wc -l
+}
+knitmech render results/tiny --animate stretch --colour contact --seconds 0.5 --fps 10 --height 150 -o stretch.webp
+expect_code 0
+expect_in out "3 frames are stored" "output.frames_at" "Wrote stretch.webp: "
+[ "$(pictures_in stretch.webp)" -eq 5 ] || failed "stretch.webp has $(pictures_in stretch.webp) pictures, not 5"
+knitmech render results/tiny --animate turn --seconds 0.4 --fps 10 --height 150
+expect_code 0
+film=results/tiny/pictures/film-turn-plain-front-frame_0002.webp
+[ "$(pictures_in $film)" -eq 4 ] || failed "$film has $(pictures_in $film) pictures, not 4"
+knitmech render results/tiny --animate turn -o film.gif
+expect_code 2
+expect_in err '"film.gif"' ".webp"
+knitmech render results/tiny --animate turn --seconds 0 -o film.webp
+expect_code 2
+knitmech render results/tiny --animate turn --fps 1000 -o film.webp
+expect_code 2
+knitmech render results/tiny --animate turn --contact-map
+expect_code 2
+
 # What cannot be drawn.
 knitmech render nothing
 expect_code 2
@@ -57,4 +87,10 @@ mv cut.vtp results/tiny/frames/frame_0002.vtp
 knitmech render results/tiny
 expect_code 2
 expect_in err "results/tiny/frames/frame_0002.vtp was cut off"
+
+# A new run takes the pictures of the old one away, and nothing else.
+echo "mine" >results/tiny/pictures/notes.txt
+knitmech run tiny.toml --no-pictures
+expect_code 0
+[ "$(ls results/tiny/pictures)" = "notes.txt" ] || failed "pictures/ holds $(ls results/tiny/pictures)"
 finish
