@@ -48,7 +48,7 @@ class MemberCheck {
   };
 
   template <class Object>
-  static constexpr bool has_members = requires(Object& object, MemberCheck& archive) {
+  static constexpr bool kHasMembers = requires(Object& object, MemberCheck& archive) {
     object.serialize(archive);
   };
 
@@ -59,7 +59,7 @@ class MemberCheck {
   }
   template <class... Members>
   void add(base::LeftOut<Members...>& left_out) {
-    std::apply([this](const auto*... member) { (note(*member), ...); }, left_out.members);
+    std::apply([this](const auto*... member) { (this->note(*member), ...); }, left_out.members);
   }
   template <class Member>
   void note(const Member& member) {
@@ -69,7 +69,7 @@ class MemberCheck {
 
   template <class Object>
   void look_into(Object& object) {
-    if constexpr (has_members<Object>) {
+    if constexpr (kHasMembers<Object>) {
       MemberCheck inner;
       object.serialize(inner);
       with_gaps_.insert(with_gaps_.end(), inner.with_gaps_.begin(), inner.with_gaps_.end());

@@ -73,7 +73,7 @@ TEST(SectionResults, GivenAnyState_ThenTheEnergiesOfStretchBendingAndTwistAddUpT
   const beam::Elements elements = beam::make_elements(model, 1.0, 0.0);
   model::State state = test::state_of(model);
   for (std::size_t i = 0; i < 6; ++i) {
-    const double s = static_cast<double>(i);
+    const auto s = static_cast<double>(i);
     state.position.add(i, {0.1 * std::sin(s), 0.05 * s, -0.1 * std::cos(2 * s)});
     test::set_rotation(state, i, test::turn({0.4 * std::cos(s), 0.3 * s, -0.5 * std::sin(3 * s)}));
   }

@@ -109,7 +109,7 @@ TEST(NonlinearAxial, GivenRandomStates_ThenTheEnergyDiffersFromALinearYarnsByThe
   for (int trial = 0; trial < 200; ++trial) {
     const model::State state = random_state(random, model);
     double expected = without.energy(state);
-    for (const std::size_t i : {0, 2}) {
+    for (const std::size_t i : {0U, 2U}) {
       const double strain = chord_strain(model, state, i);
       const double length = (model.nodes[i + 1] - model.nodes[i]).norm();
       expected += length * (integral_of_force(strain) - 0.5 * measured().slope_at_zero() * strain * strain);

@@ -25,10 +25,10 @@ struct Plain {
   Followed here;
   PairLoad pair;
   SlipMemory stick;
-  double loss;
+  double loss = 0;  ///< [mJ]
   model::NodalLoads loads{8};
-  double limit;    ///< of friction [N]
-  Vector3 motion;  ///< [mm]
+  double limit = 0;     ///< of friction [N]
+  Vector3 motion = {};  ///< [mm]
 };
 
 Plain plain(const Scene& scene) {

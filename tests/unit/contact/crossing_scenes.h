@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <utility>
 
 #include "../../support/beam_case.h"
 #include "contact/closest_places.h"
@@ -22,8 +23,13 @@ struct Scene {
   YarnPlace first, second;
   SlipMemory stick;
 
-  Scene(const model::Model& of_yarns, const model::State& at)
-      : model(of_yarns), state(at), elements(make_yarn_elements(model)), line(model), first{1, 0.5}, second{5, 0.5} {
+  Scene(model::Model of_yarns, model::State at)
+      : model(std::move(of_yarns)),
+        state(std::move(at)),
+        elements(make_yarn_elements(model)),
+        line(model),
+        first{1, 0.5},
+        second{5, 0.5} {
     line.update(state, {}, 0);
   }
 };

@@ -29,13 +29,15 @@ TEST(FrictionTable, GivenNoPairs_ThenAllYarnsHaveTheFrictionOfTheModel) {
 
 TEST(FrictionTable, GivenPairsInAnyOrder_ThenTheyHoldBothWaysAndTheOthersKeepTheFrictionOfTheModel) {
   const FrictionTable table(of_three_kinds({{2, 0, 0.1}, {1, 1, 0.5}, {1, 2, 0.0}}));
-  const double expected[3][3] = {{0.3, 0.3, 0.1}, {0.3, 0.5, 0.0}, {0.1, 0.0, 0.3}};
-  for (int a = 0; a < 3; ++a) {
-    for (int b = 0; b < 3; ++b) EXPECT_EQ(table.between(a, b), expected[a][b]) << a << " on " << b;
+  constexpr std::array<std::array<double, 3>, 3> kExpected = {{{0.3, 0.3, 0.1}, {0.3, 0.5, 0.0}, {0.1, 0.0, 0.3}}};
+  for (std::size_t a = 0; a < 3; ++a) {
+    for (std::size_t b = 0; b < 3; ++b) {
+      EXPECT_EQ(table.between(static_cast<int>(a), static_cast<int>(b)), kExpected[a][b]) << a << " on " << b;
+    }
   }
 }
 
-constexpr double kFriction[2][2] = {{0.15, 0.4}, {0.4, 0.25}};
+constexpr std::array<std::array<double, 2>, 2> kFriction = {{{0.15, 0.4}, {0.4, 0.25}}};
 constexpr std::array<double, 2> kDiameter = {0.12, 0.1};  // mm, of the two kinds
 
 /// Two yarns along x, one of each kind, under two along y, one of each kind: four crossings with the same penetration
@@ -59,11 +61,21 @@ model::Model two_kinds(model::Centreline centreline, double penetration) {
   return model;
 }
 
+std::size_t first_of(const model::ModelYarn& yarn) {
+  return static_cast<std::size_t>(yarn.first_node);
+}
+
+/// The node behind the last one of a yarn.
+std::size_t end_of(const model::ModelYarn& yarn) {
+  const int end = yarn.first_node + yarn.n_nodes;
+  return static_cast<std::size_t>(end);
+}
+
 /// Total force on a yarn [N].
 Eigen::Vector3d force_on(const model::Model& model, const model::NodalLoads& loads, std::size_t yarn) {
   Eigen::Vector3d force = Eigen::Vector3d::Zero();
-  for (int i = 0; i < model.yarns[yarn].n_nodes; ++i) {
-    force += test::vector_at(loads.force, static_cast<std::size_t>(model.yarns[yarn].first_node + i));
+  for (std::size_t i = first_of(model.yarns[yarn]); i < end_of(model.yarns[yarn]); ++i) {
+    force += test::vector_at(loads.force, i);
   }
   return force;
 }
@@ -71,9 +83,7 @@ Eigen::Vector3d force_on(const model::Model& model, const model::NodalLoads& loa
 /// Slides all yarns above along x, far beyond their elastic slip.
 void slide(const model::Model& model, YarnContact& contact, model::NodalLoads& loads) {
   model::State state = test::state_of(model);
-  for (std::size_t i = static_cast<std::size_t>(model.yarns[2].first_node); i < model.nodes.size(); ++i) {
-    state.velocity.x[i] = 2.0;  // mm/s
-  }
+  for (std::size_t i = first_of(model.yarns[2]); i < model.nodes.size(); ++i) state.velocity.x[i] = 2.0;  // mm/s
   contact.add_forces(state, 0.05, loads);
 }
 
@@ -113,8 +123,8 @@ TEST_P(TwoKinds, GivenOneCrossing_ThenThePullOnTheSlidingYarnIsMuOfItsPairTimesT
       // Each crossing on its own: the other two yarns are taken out of reach.
       model::Model model = two_kinds(GetParam(), 0.0015);
       for (const std::size_t yarn : {1 - below, 3 - above}) {
-        for (int i = 0; i < model.yarns[yarn].n_nodes; ++i) {
-          model.nodes[static_cast<std::size_t>(model.yarns[yarn].first_node + i)].z() += yarn < 2 ? -9 : 9;
+        for (std::size_t i = first_of(model.yarns[yarn]); i < end_of(model.yarns[yarn]); ++i) {
+          model.nodes[i].z() += yarn < 2 ? -9 : 9;
         }
       }
       YarnContact contact(model);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 #include <utility>
@@ -150,7 +151,7 @@ model::Model bent_yarns(std::mt19937& random) {
   return model;
 }
 
-constexpr std::size_t kElements[] = {0, 1, 3, 4};
+constexpr std::array<std::size_t, 4> kElements = {0, 1, 3, 4};
 constexpr int kPlaces = 8;  // on an element
 
 std::vector<Vector3> places_on(const Centreline& line) {

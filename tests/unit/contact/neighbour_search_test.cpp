@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <numbers>
+#include <numeric>
 #include <random>
 
 #include "../../support/beam_case.h"
@@ -22,7 +23,8 @@ std::vector<Eigen::Vector3d> tangle(std::mt19937& random, int n_elements) {
   for (int i = 0; i < n_elements; ++i) {
     const double x = normal(random);
     const double y = normal(random);
-    nodes.push_back(nodes.back() + step(random) * Eigen::Vector3d(x, y, normal(random)).normalized());
+    const Eigen::Vector3d next = nodes.back() + step(random) * Eigen::Vector3d(x, y, normal(random)).normalized();
+    nodes.push_back(next);
   }
   return nodes;
 }
@@ -91,9 +93,34 @@ TEST(NeighbourSearch, GivenSomeElementsThatAreDue_ThenBothSearchesFindExactlyThe
   }
 }
 
+/// The least distance of points of two curves, 20 steps on each [mm].
+double sampled_distance(const Curve& first, const Curve& second) {
+  double least = 1e9;
+  for (int i = 0; i <= 20; ++i) {
+    for (int j = 0; j <= 20; ++j) {
+      least = std::min(least, length(combine(first, hermite(i / 20.0)) - combine(second, hermite(j / 20.0))));
+    }
+  }
+  return least;
+}
+
+/// The pairs of pieces that come nearer than the given distance [mm] of their centrelines, in order.
+std::vector<ElementPair> near_pairs(const ContactElements& pieces, const Centreline& line, double distance) {
+  std::vector<ElementPair> pairs;
+  for (std::size_t a = 0; a < pieces.n_nodes(); ++a) {
+    for (std::size_t b = a + 1; b < pieces.n_nodes(); ++b) {
+      if (!pieces.exists[a] || !pieces.exists[b] || too_near_along_yarn(pieces, a, b)) continue;
+      const ElementPair pair{static_cast<std::int32_t>(a), static_cast<std::int32_t>(b)};
+      const Curve first = line.piece_curve(pieces, pair.first);
+      if (sampled_distance(first, line.piece_curve(pieces, pair.second)) < distance) pairs.push_back(pair);
+    }
+  }
+  return pairs;
+}
+
 TEST(NeighbourSearch, GivenCurvedElementsThatAreDue_ThenNoNearPairOfPiecesIsMissed) {
   std::mt19937 random(31);
-  int n_near = 0;
+  std::size_t n_near = 0;
   for (int trial = 0; trial < 20; ++trial) {
     model::Model model =
         test::yarns_through({tangle(random, 30), tangle(random, 30)}, test::section(19, 6, 0.017, 0.012, 1e-11, 0.12));
@@ -101,28 +128,17 @@ TEST(NeighbourSearch, GivenCurvedElementsThatAreDue_ThenNoNearPairOfPiecesIsMiss
     const ContactElements pieces = make_contact_elements(model);
     Centreline line(model);
     line.update(test::state_of(model), {}, 0);
-    std::vector<std::int32_t> all;
-    for (std::int32_t i = 0; i < static_cast<std::int32_t>(model.nodes.size()); ++i) all.push_back(i);
+    std::vector<std::int32_t> all(model.nodes.size());
+    std::iota(all.begin(), all.end(), 0);
     const std::vector<ElementPair> found = search_around(all, pieces, line, 0.05);
-    for (std::size_t a = 0; a < pieces.n_nodes(); ++a) {
-      for (std::size_t b = a + 1; b < pieces.n_nodes(); ++b) {
-        if (pieces.exists[a] == 0 || pieces.exists[b] == 0 || too_near_along_yarn(pieces, a, b)) continue;
-        const ElementPair pair{static_cast<std::int32_t>(a), static_cast<std::int32_t>(b)};
-        const Curve first = line.piece_curve(pieces, pair.first);
-        const Curve second = line.piece_curve(pieces, pair.second);
-        double least = 1e9;
-        for (int i = 0; i <= 20; ++i) {
-          for (int j = 0; j <= 20; ++j) {
-            least = std::min(least, length(combine(first, hermite(i / 20.0)) - combine(second, hermite(j / 20.0))));
-          }
-        }
-        if (least >= 0.12 + 0.05) continue;
-        ++n_near;
-        EXPECT_TRUE(std::binary_search(found.begin(), found.end(), pair)) << trial << ": " << a << ", " << b;
-      }
+    const std::vector<ElementPair> near = near_pairs(pieces, line, 0.12 + 0.05);
+    n_near += near.size();
+    for (const ElementPair pair : near) {
+      EXPECT_TRUE(std::binary_search(found.begin(), found.end(), pair))
+          << trial << ": " << pair.first << ", " << pair.second;
     }
   }
-  EXPECT_GT(n_near, 100);
+  EXPECT_GT(n_near, 100U);
 }
 
 /// Straight yarns of elements of 0.4 mm, 0.4 mm apart, in two layers across each other, turned in space.

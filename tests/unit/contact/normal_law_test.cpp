@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 namespace knitmech::contact {
@@ -10,7 +11,7 @@ namespace {
 constexpr double kRadii = 0.12;  // mm
 
 /// Penetrations on both sides of the switch from the series to the closed form [share of the radii].
-constexpr double kShares[] = {1e-3, 5e-3, 0.015, 0.03, 0.1, 0.3, 0.6, 0.9};
+constexpr std::array<double, 8> kShares = {1e-3, 5e-3, 0.015, 0.03, 0.1, 0.3, 0.6, 0.9};
 
 /// Simpson's rule; the functions here are smooth, so that 2000 strips are exact to 1e-10.
 template <typename Function>

@@ -159,8 +159,11 @@ model::Model tangle(std::mt19937& random) {
       const double along = -2 + 0.4 * i;
       const double a = normal(random);
       const double b = normal(random);
-      yarns[y].push_back(y == 0 ? Eigen::Vector3d(along, a, b)
-                                : Eigen::Vector3d(a + 0.7 * (y == 1 ? 1 : -1), along, b));
+      if (y == 0) {
+        yarns[y].emplace_back(along, a, b);
+      } else {
+        yarns[y].emplace_back(a + 0.7 * (y == 1 ? 1 : -1), along, b);
+      }
     }
   }
   model::Model model = model_of(yarns);
@@ -169,7 +172,7 @@ model::Model tangle(std::mt19937& random) {
     const Eigen::Vector3d next = i + 1 < model.nodes.size() ? model.nodes[i + 1] : model.nodes[i];
     const double a = bow(random);
     const double b = bow(random);
-    model.middles.push_back(0.5 * (model.nodes[i] + next) + Eigen::Vector3d(a, b, bow(random)));
+    model.middles.emplace_back(0.5 * (model.nodes[i] + next) + Eigen::Vector3d(a, b, bow(random)));
   }
   return model;
 }

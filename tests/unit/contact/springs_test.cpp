@@ -32,6 +32,7 @@ double bound_of(const contact::Springs& springs, const Inertia& inertia) {
   std::vector<double> masses = inertia.mass;
   masses.insert(masses.end(), inertia.rotary.begin(), inertia.rotary.end());
   std::vector<double> d;
+  d.reserve(masses.size());
   for (const double mass : masses) d.push_back(1 / std::sqrt(mass));
   std::vector<double> image;
   springs.multiply(d, image);
@@ -57,7 +58,7 @@ contact::Springs::End random_end(std::mt19937& random) {
 Eigen::VectorXd row_of(const contact::Springs::End& end, const Eigen::Vector3d& direction) {
   const auto eigen = [](Vector3 v) { return Eigen::Vector3d(v.x, v.y, v.z); };
   Eigen::VectorXd row = Eigen::VectorXd::Zero(6 * kNodes);
-  const Eigen::Index first = 6 * end.place.element;
+  const Eigen::Index first = Eigen::Index{6} * end.place.element;
   row.segment<3>(first) = end.hold.start * direction;
   row.segment<3>(first + 3) = eigen(end.hold.start_arm).cross(direction);
   row.segment<3>(first + 6) = end.hold.end * direction;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <random>
 
 #include "../../support/beam_case.h"
@@ -82,8 +83,10 @@ TEST(YarnContact, GivenRandomTangles_ThenTheLoadsAreTheNegativeDerivativeOfTheEn
   for (int trial = 0; trial < 20; ++trial) {
     std::vector<std::vector<Eigen::Vector3d>> yarns(3);
     for (auto& yarn : yarns) {
-      yarn.push_back({-2, normal(random), normal(random)});
-      for (int i = 1; i <= 8; ++i) yarn.push_back({-2 + 0.5 * i, normal(random), normal(random)});
+      for (int i = 0; i <= 8; ++i) {
+        const double y = normal(random);
+        yarn.emplace_back(-2 + 0.5 * i, y, normal(random));
+      }
     }
     const model::Model model = model_of(yarns, 0.0);
     YarnContact contact(model);
@@ -97,8 +100,8 @@ TEST(YarnContact, GivenRandomTangles_ThenTheLoadsAreTheNegativeDerivativeOfTheEn
       force += nodal;
       moment += model.nodes[node].cross(nodal);
       for (int axis = 0; axis < 3; ++axis) {
-        double energy[2];
-        for (const int side : {0, 1}) {
+        std::array<double, 2> energy{};
+        for (const std::size_t side : {0U, 1U}) {
           model::State moved = state;
           const Eigen::Vector3d shift = (side == 0 ? h : -h) * Eigen::Vector3d::Unit(axis);
           moved.position.add(node, {shift.x(), shift.y(), shift.z()});

@@ -21,7 +21,6 @@ using Eigen::Vector3d;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::ThrowsMessage;
-using testing::UnorderedElementsAre;
 
 model::Case case_of(knit::Structure structure, int elements_per_erc = 10) {
   model::Case input = fabric_case(4, 3);

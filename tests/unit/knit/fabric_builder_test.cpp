@@ -102,11 +102,12 @@ TEST(FabricBuilder, MiddlesLieOnTheLoopHalfWayBetweenTheNodes) {
   for (std::size_t i = 0; i + 1 < yarn.points.size(); ++i) {
     // Given N = 10, the yarn comes from a foot to the head of a wale in ten elements and goes on to the next foot in
     // ten, the mirror image.
-    const auto wale = static_cast<double>(i / 20);
+    const std::size_t wale = i / 20;
     const double from_head = (static_cast<double>(i % 20) - 9.5) * erc.length / 10;
     Vector3d on_loop = point_at_arc_length(erc, std::abs(from_head)).position;
     if (from_head < 0) on_loop.x() *= -1;
-    EXPECT_LT((yarn.middles[i] - on_loop - Vector3d(3.9 * wale, 5, 0)).norm(), 1e-12) << "element " << i;
+    EXPECT_LT((yarn.middles[i] - on_loop - Vector3d(3.9 * static_cast<double>(wale), 5, 0)).norm(), 1e-12)
+        << "element " << i;
   }
   EXPECT_EQ(yarn.middles.back(), yarn.points.back());
 }

@@ -41,17 +41,17 @@ std::size_t at(int index) {
   return static_cast<std::size_t>(index);
 }
 
+/// Node i of a course from the left in the joined yarn.
+std::size_t node(const CourseNodes& course, int from_left) {
+  return at(course.first_node + (course.runs_left ? course.n_nodes - 1 - from_left : from_left));
+}
+
 class JoinedCourses : public testing::TestWithParam<int> {
  protected:
   const FabricLayout layout_ = layout_of(4, GetParam());
   const Fabric basic_ = fabric_of(layout_, Structure::basic);
   const Fabric joined_ = fabric_of(layout_, Structure::adjusted);
   const YarnCurve& yarn_ = joined_.yarns.front();
-
-  /// Node i of a course from the left in the joined yarn.
-  [[nodiscard]] std::size_t node(const CourseNodes& course, int from_left) const {
-    return at(course.first_node + (course.runs_left ? course.n_nodes - 1 - from_left : from_left));
-  }
 };
 INSTANTIATE_TEST_SUITE_P(Meshes, JoinedCourses, testing::Values(4, 10, 25));
 

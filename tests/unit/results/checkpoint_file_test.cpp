@@ -49,7 +49,7 @@ class CheckpointFile : public testing::Test {
     folder.add_history(row_at(0));
     folder.add_frame(test::awkward_frame(model_, 0));
     folder.add_history(row_at(0.1));
-    const Checkpoint checkpoint{"title = \"x\"\n", folder.record(), std::string("solver\n\0state", 13)};
+    Checkpoint checkpoint{"title = \"x\"\n", folder.record(), std::string("solver\n\0state", 13)};
     write_checkpoint(dir_, checkpoint);
     folder.add_history(row_at(0.2));
     folder.add_frame(test::awkward_frame(model_, 1));

@@ -32,8 +32,8 @@ struct Scene {
   double mass_damping = 0;              ///< [1/s]
 };
 
-void PrintTo(const Scene& scene, std::ostream* stream) {
-  *stream << scene.name;
+std::ostream& operator<<(std::ostream& stream, const Scene& scene) {
+  return stream << scene.name;
 }
 
 const std::vector<Scene> kScenes = {

@@ -82,7 +82,7 @@ class RandomContacts {
   static Eigen::VectorXd row_of(const contact::Springs::End& end, const Eigen::Vector3d& direction) {
     const auto eigen = [](Vector3 v) { return Eigen::Vector3d(v.x, v.y, v.z); };
     Eigen::VectorXd row = Eigen::VectorXd::Zero(6 * kNodes);
-    const Eigen::Index at = 6 * end.place.element;
+    const Eigen::Index at = Eigen::Index{6} * end.place.element;
     row.segment<3>(at) = end.hold.start * direction;
     row.segment<3>(at + 3) = eigen(end.hold.start_arm).cross(direction);
     row.segment<3>(at + 6) = end.hold.end * direction;

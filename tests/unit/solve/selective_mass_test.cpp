@@ -57,26 +57,49 @@ Eigen::VectorXd accelerations(const Eigen::MatrixXd& mass, const Eigen::VectorXd
   return matrix.partialPivLu().solve(right);
 }
 
+/// Given motions: none in the first 50 trials, then of about every third node along y, and of as many across.
+solve::GivenMotion random_motion(std::mt19937& random, int trial) {
+  solve::GivenMotion given{std::vector<char>(kNodes), std::vector<char>(kNodes)};
+  if (trial < 50) return given;
+  std::bernoulli_distribution held(0.3);
+  for (std::size_t i = 0; i < kNodes; ++i) {
+    given.along[i] = held(random) ? 1 : 0;
+    given.across[i] = held(random) ? 1 : 0;
+  }
+  return given;
+}
+
+model::NodalLoads loads_of(const Eigen::MatrixXd& force) {
+  model::NodalLoads loads(kNodes);
+  for (std::size_t i = 0; i < kNodes; ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
+    loads.force.set(i, {force(row, 0), force(row, 1), force(row, 2)});
+  }
+  return loads;
+}
+
+/// What is shared out along one direction: the acceleration of each node, and the force on it from its neighbours.
+void expect_accelerations(const solve::SelectiveMass& masses, const beam::NodalInertia& inertia,
+                          const std::vector<double>& shared, const Eigen::VectorXd& expected) {
+  const Eigen::VectorXd inertia_force = dense(inertia) * expected;
+  for (std::size_t i = 0; i < kNodes; ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
+    EXPECT_NEAR(shared[i] / inertia.mass[i], expected[row], 1e-12) << "node " << i;
+    const double of_neighbours = inertia_force[row] - inertia.mass[i] * expected[row];
+    EXPECT_NEAR(masses.from_neighbours(i, shared), of_neighbours, 1e-11) << "node " << i;
+  }
+}
+
 TEST(SelectiveMass, GivenForcesAndGivenMotions_ThenTheAccelerationsAreThoseOfADenseSolve) {
   std::mt19937 random(3);
   std::normal_distribution<double> normal;
-  std::bernoulli_distribution held(0.3);
   for (int trial = 0; trial < 200; ++trial) {
+    SCOPED_TRACE(trial);
     const beam::NodalInertia inertia = random_inertia(random);
-    solve::GivenMotion given{std::vector<char>(kNodes), std::vector<char>(kNodes)};
-    if (trial >= 50) {
-      for (std::size_t i = 0; i < kNodes; ++i) {
-        given.along[i] = held(random) ? 1 : 0;
-        given.across[i] = held(random) ? 1 : 0;
-      }
-    }
+    const solve::GivenMotion given = random_motion(random, trial);
     const Eigen::MatrixXd mass = dense(inertia);
     const Eigen::MatrixXd force = Eigen::MatrixXd::NullaryExpr(kNodes, 3, [&] { return normal(random); });
-    model::NodalLoads loads(kNodes);
-    for (std::size_t i = 0; i < kNodes; ++i) {
-      const auto row = static_cast<Eigen::Index>(i);
-      loads.force.set(i, {force(row, 0), force(row, 1), force(row, 2)});
-    }
+    model::NodalLoads loads = loads_of(force);
     const solve::SelectiveMass masses(inertia, given);
     if (trial % 2 == 0) {
       masses.share(loads);
@@ -90,12 +113,7 @@ TEST(SelectiveMass, GivenForcesAndGivenMotions_ThenTheAccelerationsAreThoseOfADe
       const std::vector<double>& shared = direction == 0   ? loads.force.x
                                           : direction == 1 ? loads.force.y
                                                            : loads.force.z;
-      for (std::size_t i = 0; i < kNodes; ++i) {
-        const auto row = static_cast<Eigen::Index>(i);
-        EXPECT_NEAR(shared[i] / inertia.mass[i], expected[row], 1e-12) << trial;
-        const double of_neighbours = (mass * expected)[row] - inertia.mass[i] * expected[row];
-        EXPECT_NEAR(masses.from_neighbours(i, shared), of_neighbours, 1e-11) << trial;
-      }
+      expect_accelerations(masses, inertia, shared, expected);
     }
   }
 }

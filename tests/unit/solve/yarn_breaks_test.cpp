@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "../../support/beam_case.h"
 #include "solve/broken_yarns.h"
 
@@ -60,10 +62,11 @@ TEST(BrokenYarns, GivenCuts_ThenTheModelHasThePieces) {
   EXPECT_THAT(yarns.elements(), ElementsAre(0, 1, 6));
   const std::vector<model::ModelYarn>& pieces = yarns.model().yarns;
   ASSERT_EQ(pieces.size(), 5U);  // nodes 0; 1; 2 3 4; 5 6; 7 8 9
-  const int expected[5][2] = {{0, 1}, {1, 1}, {2, 3}, {5, 2}, {7, 3}};
+  constexpr std::array<int, 5> kFirstNode = {0, 1, 2, 5, 7};
+  constexpr std::array<int, 5> kNodes = {1, 1, 3, 2, 3};
   for (std::size_t i = 0; i < 5; ++i) {
-    EXPECT_EQ(pieces[i].first_node, expected[i][0]) << "piece " << i;
-    EXPECT_EQ(pieces[i].n_nodes, expected[i][1]) << "piece " << i;
+    EXPECT_EQ(pieces[i].first_node, kFirstNode[i]) << "piece " << i;
+    EXPECT_EQ(pieces[i].n_nodes, kNodes[i]) << "piece " << i;
   }
   EXPECT_EQ(model.yarns.size(), 2U);
 }
