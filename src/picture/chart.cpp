@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 #include "picture/svg.h"
 #include "picture/ticks.h"
@@ -30,6 +31,8 @@ constexpr std::array<LineStyle, 6> kStyles{{{"#0072b2", ""},
 constexpr double kTextSize = 14;
 constexpr double kTitleSize = 16;
 constexpr double kMarkSize = 3.5;
+constexpr double kLegendText = 42;  ///< from the begin of an entry to its text [px]
+constexpr double kLegendRow = 22;   ///< from one row of a legend to the next [px]
 constexpr const char* kBandColour = "#d9d9d9";
 
 /// Where things lie on the page [px].
@@ -80,6 +83,9 @@ Chart on_axes(Chart chart) {
       if (chart.log_y) std::transform(values->begin(), values->end(), values->begin(), logarithm);
     }
   }
+  for (Limit& limit : chart.limits) {
+    if (chart.log_x) limit.x = logarithm(limit.x);
+  }
   for (Note& note : chart.notes) {
     if (chart.log_x) note.x = logarithm(note.x);
     if (chart.log_y) note.y = logarithm(note.y);
@@ -107,7 +113,44 @@ void include_bands(const Chart& chart, Range& x, Range& y) {
 }
 
 bool has_legend(const Chart& chart) {
-  return chart.series.size() > 1 || !chart.bands.empty();
+  const auto n_named = std::ranges::count_if(chart.series, [](const Series& series) { return !series.name.empty(); });
+  return (n_named > 0 && chart.series.size() > 1) || !chart.bands.empty();
+}
+
+/// Where the entries of a legend begin, one after the other.
+class LegendCursor {
+ public:
+  LegendCursor(double left, double right, double y) : left_(left), right_(right), x_(left), y_(y) {}
+
+  /// The place of the next entry: in the next row where it would not fit into this one.
+  std::pair<double, double> place(const std::string& name) {
+    // The reader's font is not known here: 0.62 of its size is a generous mean width of a letter.
+    const double width = kLegendText + 0.62 * kTextSize * static_cast<double>(name.size());
+    if (x_ > left_ && x_ + width > right_) {
+      x_ = left_;
+      y_ += kLegendRow;
+    }
+    const std::pair<double, double> at = {x_, y_};
+    x_ += width + 24;
+    return at;
+  }
+
+  [[nodiscard]] double y() const { return y_; }
+
+ private:
+  double left_, right_, x_, y_;
+};
+
+/// Height of a legend [px].
+double legend_height(const Chart& chart, double left, double right) {
+  LegendCursor cursor(left, right, 0);
+  for (const Series& series : chart.series) {
+    if (!series.name.empty()) cursor.place(series.name);
+  }
+  for (const Band& band : chart.bands) {
+    if (!band.name.empty()) cursor.place(band.name);
+  }
+  return cursor.y() + kLegendRow + 4;
 }
 
 Layout lay_out(const Chart& chart) {
@@ -134,7 +177,7 @@ Layout lay_out(const Chart& chart) {
   layout.top = chart.title.empty() ? 22.0 : 48.0;
   if (has_legend(chart)) {
     layout.legend_y = layout.top + 4;
-    layout.top += 26;
+    layout.top += legend_height(chart, layout.left, layout.right);
   }
   layout.bottom = chart.height - 60.0;
   layout.x = chart.log_x ? nice_log_ticks(x.lowest, x.highest) : nice_ticks(x.lowest, x.highest, 8);
@@ -243,25 +286,29 @@ std::string band_areas(const Band& band, const Layout& layout) {
   return text;
 }
 
+std::string limit_line(const Limit& limit, const Layout& layout) {
+  const double x = layout.page_x(limit.x);
+  if (!std::isfinite(limit.x) || x < layout.left || x > layout.right) return "";
+  constexpr const char* kLine = R"(stroke="#777777" stroke-width="1" stroke-dasharray="3 3")";
+  return line_element(x, layout.top, x, layout.bottom, kLine) +
+         text_element(x - 5, layout.top + 14, kTextSize - 2, "end", limit.text);
+}
+
 std::string legend(const Chart& chart, const Layout& layout) {
   std::string text;
-  double x = layout.left;
-  const auto add_name = [&](const std::string& name) {
-    text += text_element(x + 42, layout.legend_y + 5, kTextSize, "start", name);
-    // The reader's font is not known here: 0.62 of its size is a generous mean width of a letter.
-    x += 42 + 0.62 * kTextSize * static_cast<double>(name.size()) + 24;
-  };
+  LegendCursor cursor(layout.left, layout.right, layout.legend_y);
   for (std::size_t i = 0; i < chart.series.size(); ++i) {
     if (chart.series[i].name.empty()) continue;
-    text += chart.series[i].only_marks ? mark(x + 17, layout.legend_y, i)
-                                       : line_element(x, layout.legend_y, x + 34, layout.legend_y, stroke(i).c_str());
-    add_name(chart.series[i].name);
+    const auto [x, y] = cursor.place(chart.series[i].name);
+    text += chart.series[i].only_marks ? mark(x + 17, y, i) : line_element(x, y, x + 34, y, stroke(i).c_str());
+    text += text_element(x + kLegendText, y + 5, kTextSize, "start", chart.series[i].name);
   }
   for (const Band& band : chart.bands) {
     if (band.name.empty()) continue;
-    text += fmt::format("<rect x=\"{:.2f}\" y=\"{:.2f}\" width=\"34\" height=\"12\" fill=\"{}\"/>\n", x,
-                        layout.legend_y - 6, kBandColour);
-    add_name(band.name);
+    const auto [x, y] = cursor.place(band.name);
+    text += fmt::format("<rect x=\"{:.2f}\" y=\"{:.2f}\" width=\"34\" height=\"12\" fill=\"{}\"/>\n", x, y - 6,
+                        kBandColour);
+    text += text_element(x + kLegendText, y + 5, kTextSize, "start", band.name);
   }
   return text;
 }
@@ -286,6 +333,7 @@ std::string chart_elements(const Chart& as_given) {
                          "no data");
   }
   text += lines;
+  for (const Limit& limit : chart.limits) text += limit_line(limit, layout);
   for (const Note& note : chart.notes) text += note_text(note, layout);
   if (has_legend(chart)) {
     text += legend(chart, layout);

@@ -28,6 +28,12 @@ struct Note {
   bool at_left = false;
 };
 
+/// A place on the x axis: a thin line across the chart, and a text at its upper end.
+struct Limit {
+  double x;
+  std::string text;
+};
+
 /// A chart of lines over linear or logarithmic axes; on the latter, points that are not positive are gaps. Labels carry
 /// their unit in brackets, as in "Strain [%]".
 struct Chart {
@@ -37,6 +43,7 @@ struct Chart {
   std::vector<Series> series{};
   std::vector<Band> bands{};
   std::vector<Note> notes{};
+  std::vector<Limit> limits{};
   bool log_x = false, log_y = false;
   int width = 760;   ///< of the whole picture [px]
   int height = 500;  ///< [px]
@@ -46,7 +53,8 @@ struct Chart {
 inline constexpr double kChartLineWidth = 2.2;
 
 /// A chart as an SVG document: lines in colours that colour-blind readers can tell apart and with different dashes,
-/// axes with round numbers that enclose all points, a legend if there is more than one series or a band, text as text.
+/// axes with round numbers that enclose all points, a legend if there is more than one series
+/// with a name or a band, in as many rows as it needs, text as text.
 ///
 /// A series of one point is a dot; a chart without points says "no data". Any text is allowed in names and labels.
 /// Throws std::invalid_argument if x and y of a series, or x, low and high of a band, differ in length.

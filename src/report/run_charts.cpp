@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/number_text.h"
+#include "results/constants.h"
 
 namespace knitmech::report {
 namespace {
@@ -19,7 +20,8 @@ using picture::Series;
 /// Width and height of a chart in a report [px].
 constexpr int kWidth = 640, kHeight = 440;
 
-constexpr double kSmallForce = 0.1;  ///< [N], below which forces are told in mN
+constexpr double kSmallForce = 0.1;   ///< [N], below which forces are told in mN
+constexpr double kLeastShown = 1e-4;  ///< share of the largest force at which a logarithmic axis ends [-]
 
 /// A line over strain [%] of what a function makes of each row.
 template <class ValueOf>
@@ -71,6 +73,21 @@ std::vector<CourseExtent> course_extents(const model::Model& model, const model:
   return courses;
 }
 
+/// The means over the 1 % of strain before each point (results::kWindow): on a logarithmic axis the waves of loose
+/// yarns would hide the toe. What is below the least is a gap.
+std::vector<double> without_waves(const std::vector<double>& percent, const std::vector<double>& values, double least) {
+  std::vector<double> means(values.size());
+  std::size_t first = 0;
+  double sum = 0;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    sum += values[i];
+    for (; percent[first] < percent[i] - 100 * results::kWindow; ++first) sum -= values[first];
+    const double mean = sum / static_cast<double>(i - first + 1);
+    means[i] = mean < least ? std::numeric_limits<double>::quiet_NaN() : mean;
+  }
+  return means;
+}
+
 }  // namespace
 
 Chart force_chart(const std::vector<NamedHistory>& runs, bool logarithmic) {
@@ -78,12 +95,11 @@ Chart force_chart(const std::vector<NamedHistory>& runs, bool logarithmic) {
   for (const NamedHistory& run : runs) most = std::max(most, largest(run.history, &HistoryRow::force_top));
   const bool in_millinewton = most < kSmallForce;
   const double scale = in_millinewton ? 1000 : 1;
-  // Far below the largest force there is nothing but the motion of loose yarns.
-  const double least = logarithmic ? 1e-4 * most : -std::numeric_limits<double>::infinity();
-  Chart chart =
-      chart_over_strain(runs, in_millinewton ? "Grip force [mN]" : "Grip force [N]", [&](const HistoryRow& row) {
-        return row.force_top < least ? std::numeric_limits<double>::quiet_NaN() : scale * row.force_top;
-      });
+  Chart chart = chart_over_strain(runs, in_millinewton ? "Grip force [mN]" : "Grip force [N]",
+                                  [&](const HistoryRow& row) { return scale * row.force_top; });
+  if (logarithmic) {
+    for (Series& series : chart.series) series.y = without_waves(series.x, series.y, kLeastShown * scale * most);
+  }
   chart.log_y = logarithmic;
   return chart;
 }

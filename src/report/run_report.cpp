@@ -12,14 +12,19 @@
 
 #include "base/errors.h"
 #include "base/number_text.h"
+#include "model/bending_measure.h"
 #include "model/facts.h"
 #include "model/parameters.h"
 #include "model/parameters_text.h"
+#include "picture/contact_map.h"
+#include "picture/side_profile.h"
 #include "report/figures.h"
 #include "report/frame_pictures.h"
 #include "report/page.h"
 #include "report/run_charts.h"
 #include "results/atomic_file.h"
+#include "results/curve_measures.h"
+#include "results/curve_stages.h"
 #include "results/frame_measures.h"
 #include "results/read_frame.h"
 #include "results/summary.h"
@@ -30,7 +35,7 @@ namespace {
 namespace fs = std::filesystem;
 using results::StoredRun;
 
-constexpr int kPictureHeight = 560;  // [px]
+constexpr int kPictureHeight = 800;  // [px]
 
 /// The frames that are shown: all, or some of them that are evenly spaced in strain.
 std::vector<model::Frame> shown_frames(const StoredRun& run) {
@@ -76,31 +81,92 @@ std::string head_html(const StoredRun& run) {
   return html + "</div>\n";
 }
 
-std::string curve_section(const StoredRun& run, const Figures& figures) {
+/// A chart over strain with the ends of the stages.
+picture::Chart with_stages(picture::Chart chart, const results::CurveStages& stages) {
+  for (const results::CurveStage& stage : stages.stages) chart.limits.push_back({100 * stage.to, stage.name});
+  return chart;
+}
+
+std::string stages_table(const results::CurveStages& stages) {
+  std::vector<std::vector<std::string>> rows = {{"stage", "from", "to", "slope [N]", "slope per width [N/mm]"}};
+  const auto number = [](const std::optional<double>& value) { return value ? fmt::format("{:.4g}", *value) : ""; };
+  for (const results::CurveStage& stage : stages.stages) {
+    rows.push_back({stage.name, base::percent_text(stage.from), base::percent_text(stage.to), number(stage.slope),
+                    number(stage.slope_per_width)});
+  }
+  const std::string stretch =
+      stages.stretch_strain ? fmt::format("The yarn stretches from {} on.", base::percent_text(*stages.stretch_strain))
+                            : "The yarn does not stretch yet: bending takes up most of the growing energy to the end.";
+  return table(rows) +
+         fmt::format(
+             "<p class=\"soft\">Slopes are per unit of strain. In the toe the loops close and slide, then they are "
+             "bent round each other, at last the yarn itself stretches. {}</p>\n",
+             stretch);
+}
+
+std::string measures_table(const StoredRun& run, const std::vector<model::Frame>& frames) {
+  std::vector<std::vector<std::string>> rows = {{"strain", "force [N]", "per width [N/mm]", "secant [N/mm]",
+                                                 "tangent [N/mm]", "width [mm]", "contraction", "Poisson's ratio"}};
+  const auto number = [](const std::optional<double>& value) { return value ? fmt::format("{:.4g}", *value) : ""; };
+  for (const model::Frame& frame : frames) {
+    const auto measure = results::measure_at(run.history, frame.history.strain);
+    if (!measure || measure->strain == 0) continue;
+    rows.push_back({base::percent_text(measure->strain), number(measure->force), number(measure->force_per_width),
+                    number(measure->secant), number(measure->tangent), number(measure->width),
+                    base::percent_text(measure->contraction), number(measure->poissons_ratio)});
+  }
+  return rows.size() > 1 ? table(rows) : "";
+}
+
+std::string curve_section(const StoredRun& run, const std::vector<model::Frame>& frames, const Figures& figures) {
   const std::vector<NamedHistory> runs = {{"", run.history}};
-  return side_by_side(
-      {figures.chart("force-strain", force_chart(runs, false), "Force at the driven grip over strain."),
-       figures.chart("force-strain-log", force_chart(runs, true),
-                     "The same with a logarithmic axis: the toe, in which the loops close, and the climb after it."),
-       figures.chart("contraction", contraction_chart(runs), "Contraction of the width at mid-height."),
-       figures.chart("contacts", contact_chart(runs), "Places where yarns press on each other.")});
+  const results::CurveStages stages = results::curve_stages(run.history, model::bending_measure(run.model));
+  return stages_table(stages) + measures_table(run, frames) +
+         side_by_side(
+             {figures.chart("force-strain", with_stages(force_chart(runs, false), stages),
+                            "Force at the driven grip over strain, with the ends of the stages."),
+              figures.chart(
+                  "force-strain-log", with_stages(force_chart(runs, true), stages),
+                  "The same with a logarithmic axis: the toe, in which the loops close, and the climb after it."),
+              figures.chart("contraction", contraction_chart(runs), "Contraction of the width at mid-height."),
+              figures.chart("contacts", contact_chart(runs), "Places where yarns press on each other.")});
 }
 
 std::string fabric_section(const StoredRun& run, const std::vector<model::Frame>& frames, const Figures& figures,
                            int threads) {
   std::string html;
   for (const PictureRow& row : draw_rows(run.model, frames, kPictureHeight, threads)) {
-    html += fmt::format(
-        "<h3>{}</h3>\n<div class=\"scroll\"><div class=\"row\" style=\"grid-template-columns: "
-        "repeat({}, minmax(210px, 1fr))\">\n",
-        row.title, frames.size());
+    html += fmt::format("<h3>{}</h3>\n<div class=\"pictures\">\n", row.title);
     for (std::size_t i = 0; i < frames.size(); ++i) {
       html += figures.png(fmt::format("{}-{:04}", row.name, frames[i].index), row.png[i],
                           fmt::format("{} at {}", row.title, base::percent_text(frames[i].history.strain)));
     }
-    html += "</div></div>\n";
+    html += "</div>\n";
   }
   return html;
+}
+
+/// The contact zones of all frames that have contacts, and the fabric from the side at the end.
+std::string maps_of(const StoredRun& run, const std::vector<model::Frame>& frames, const Figures& figures) {
+  std::vector<std::string> maps;
+  try {
+    for (const model::Frame& frame : frames) {
+      const std::string at = base::percent_text(frame.history.strain);
+      if (frame.contacts.empty()) continue;
+      maps.push_back(figures.svg(fmt::format("contact-map-{:04}", frame.index),
+                                 picture::contact_map_svg(run.model, frame, fmt::format("Contacts at {}", at)),
+                                 fmt::format("Contact zones at {}: discs as large as the normal force.", at)));
+    }
+    const model::Frame& last = frames.back();
+    const std::string at = base::percent_text(last.history.strain);
+    maps.push_back(figures.svg(fmt::format("side-profile-{:04}", last.index),
+                               picture::side_profile_svg(run.model, last, fmt::format("From the side, at {}", at)),
+                               "How far the fabric leaves its plane."));
+  } catch (const InputError& error) {
+    // The yarns of a run that has failed may be scattered.
+    maps.push_back(figure("", error.what()));
+  }
+  return side_by_side(maps);
 }
 
 std::string shape_section(const StoredRun& run, const std::vector<model::Frame>& frames, const Figures& figures) {
@@ -113,7 +179,8 @@ std::string shape_section(const StoredRun& run, const std::vector<model::Frame>&
                     fmt::format("{:.3f}", measures.highest_z), fmt::format("{}", measures.contacts),
                     share(measures.contacts_in_middle), share(measures.force_in_middle)});
   }
-  return side_by_side({figures.chart("width-profile", width_profile_chart(run.model, frames),
+  return maps_of(run, frames, figures) +
+         side_by_side({figures.chart("width-profile", width_profile_chart(run.model, frames),
                                      "Width of the fabric over its height, at the strains in the legend.")}) +
          table(rows) +
          "<p class=\"soft\">If the contacts were spread evenly over the width, a third of them would lie in its middle "
@@ -224,7 +291,7 @@ void write_run_report(const StoredRun& run, int threads) {
             fmt::format("{} wales x {} courses, {} elements per half stitch, structure {}", run.input.fabric.wales,
                         run.input.fabric.courses, run.input.fabric.elements_per_erc, structure_of(run)));
   page.add_to_head(head_html(run));
-  page.add_section("Force and strain", curve_section(run, figures));
+  page.add_section("Force and strain", curve_section(run, frames, figures));
   page.add_section("The fabric", fabric_section(run, frames, figures, threads));
   page.add_section("Shape and contact", shape_section(run, frames, figures));
   page.add_section("Quality", quality_section(run, figures) + peaks_section(run));

@@ -25,10 +25,11 @@ inline constexpr double kWindow = 0.01;
 /// start of the test unjudged.
 inline constexpr double kToeWorkShare = 0.1;
 
-/// Strain energy at which the toe of the curve ends, as a share of model::bending_measure() [-]; usual 0.03: the loops
-/// have closed, and the grip of an adapted test begins to move faster (solve/constants.h, kTautEnergy). As the energy
-/// climbs steeply there, twice the share moves the limit by a few per cent of itself.
-inline constexpr double kToeEnergy = 0.03;
+/// Strain energy at which the toe of the curve ends, as a share of model::bending_measure() [-]; usual 0.005: that of
+/// half stitches which are each bent evenly by a tenth of a radian. The loops have closed, and the curve of the main
+/// example leaves its flat start. As the energy climbs steeply there, twice the share moves the limit by less than a
+/// tenth of itself.
+inline constexpr double kToeEnergy = 0.005;
 
 /// Turn over an element below which it is straight in plan [rad]; usual 1e-6, far above rounding and far below any arc.
 /// It tells the leg of a loop from its arcs.

@@ -27,6 +27,16 @@ struct Variation {
   bool logarithmic = false;          ///< the range is divided evenly in the logarithm
 };
 
+/// Measured fabric curves that each run is compared with, and how they are to be read (compare::SpecimenFacts).
+struct Measured {
+  std::vector<std::string> files;
+  std::optional<double> gauge_length, width;  ///< [mm], of the specimens; empty: those of each run
+  std::string load_column, extension_column;  ///< names in the files; empty: told by their heads
+  std::vector<std::string> samples;           ///< names of specimens; empty: all
+  double offset = 0;                          ///< slack that is taken from the measured strains [-]
+  bool finds_offset = false;                  ///< takes the slack with the least difference instead
+};
+
 /// What a study file says.
 struct Study {
   std::string title;
@@ -36,8 +46,8 @@ struct Study {
   int samples = 0;         ///< of a plan that takes samples
   std::uint64_t seed = 0;  ///< of the random numbers of latin_hypercube
   std::vector<Variation> variations;
-  std::vector<double> strains;                ///< [-], at which the runs are compared; ascending
-  std::vector<std::filesystem::path> curves;  ///< measured curves that each run is compared with
+  std::vector<double> strains;       ///< [-], at which the runs are compared; ascending
+  std::optional<Measured> measured;  ///< empty: nothing is compared with measurements
 };
 
 /// One case of a study.

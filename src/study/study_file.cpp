@@ -8,6 +8,7 @@
 #include <map>
 #include <utility>
 
+#include "base/quantity.h"
 #include "base/text.h"
 #include "model/case_file.h"
 #include "model/parameter_value.h"
@@ -94,7 +95,7 @@ class Reader {
     study_.seed = static_cast<std::uint64_t>(whole_at("seed", 1, 0, std::numeric_limits<std::int64_t>::max()));
     take_base();
     take_strains();
-    take_curves();
+    take_measured();
     for (const char* key : {"samples", "seed"}) {
       const model::TomlEntry* entry = find(key);
       if (entry != nullptr && !is_sampled()) {
@@ -157,21 +158,86 @@ class Reader {
     }
   }
 
-  void take_curves() {
-    for (const model::TomlItem& item : list_at("curves")) {
-      const auto* name = std::get_if<std::string>(&item);
-      if (name == nullptr) refuse(find("curves")->line, "curves", "must be names of files in quotes");
-      const fs::path file = path_.parent_path() / *name;
-      if (!fs::is_regular_file(file)) {
-        refuse(find("curves")->line, "curves", fmt::format("there is no file {}", base::in_quotes(file.string())));
-      }
-      study_.curves.push_back(file);
+  /// The texts at a key of [measured]: one, or a list of them.
+  [[nodiscard]] std::vector<std::string> texts_at(const std::string& key) const {
+    const model::TomlEntry* entry = find(key);
+    if (entry == nullptr) return {};
+    if (const auto* text = std::get_if<std::string>(&entry->value)) return {*text};
+    std::vector<std::string> texts;
+    for (const model::TomlItem& item : list_at(key)) {
+      const auto* text = std::get_if<std::string>(&item);
+      if (text == nullptr) refuse(entry->line, key, "must be texts in quotes");
+      texts.push_back(*text);
     }
+    return texts;
+  }
+
+  [[nodiscard]] std::optional<double> length_at(const std::string& key) const {
+    const model::TomlEntry* entry = find(key);
+    if (entry == nullptr) return std::nullopt;
+    try {
+      const double length = base::parse_quantity(text_at(key, ""), base::Dimension::length);
+      if (length > 0) return length;
+    } catch (const InputError& error) {
+      refuse(entry->line, key, error.what());
+    }
+    refuse(entry->line, key, "must be more than 0 mm");
+  }
+
+  void take_measured() {
+    if (find("measured") == nullptr) return;
+    for (const model::TomlEntry& entry : entries_) (void)takes_measured_entry(entry);
+    Measured measured;
+    for (const std::string& name : texts_at("measured.files")) {
+      const fs::path file = path_.parent_path() / name;
+      if (!fs::is_regular_file(file)) {
+        refuse(find("measured.files")->line, "measured.files",
+               fmt::format("there is no file {}", base::in_quotes(file.string())));
+      }
+      measured.files.push_back(file.string());
+    }
+    if (measured.files.empty()) {
+      refuse(find("measured")->line, "measured.files", "is missing; write for example files = [\"measured.csv\"]");
+    }
+    measured.gauge_length = length_at("measured.gauge_length");
+    measured.width = length_at("measured.width");
+    measured.load_column = text_at("measured.load_column", "");
+    measured.extension_column = text_at("measured.extension_column", "");
+    measured.samples = texts_at("measured.samples");
+    take_offset(measured);
+    study_.measured = std::move(measured);
+  }
+
+  void take_offset(Measured& measured) const {
+    const model::TomlEntry* entry = find("measured.offset");
+    if (entry == nullptr) return;
+    const auto* word = std::get_if<std::string>(&entry->value);
+    const auto* number = std::get_if<double>(&entry->value);
+    measured.finds_offset = word != nullptr && *word == "auto";
+    if (measured.finds_offset) return;
+    if (number == nullptr || !std::isfinite(*number)) {
+      refuse(entry->line, entry->key, "must be a strain such as 0.02, or \"auto\"");
+    }
+    measured.offset = *number;
+  }
+
+  [[nodiscard]] bool takes_measured_entry(const model::TomlEntry& entry) const {
+    static const std::vector<std::string_view> kNames = {"files",   "gauge_length",     "width", "load_column",
+                                                         "samples", "extension_column", "offset"};
+    constexpr std::string_view kSection = "measured.";
+    if (!entry.key.starts_with(kSection)) return false;
+    const std::string name = entry.key.substr(kSection.size());
+    if (std::ranges::find(kNames, std::string_view(name)) == kNames.end()) {
+      refuse(entry.line, entry.key,
+             fmt::format("there is no such key; the keys of [measured] are {}", base::alternatives(kNames)));
+    }
+    return true;
   }
 
   /// Keeps an entry of a section [loop.height], and refuses all others that are not known.
   void take_section_entry(const model::TomlEntry& entry) {
-    static const std::vector<std::string_view> kTop = {"title", "base", "plan", "samples", "seed", "strains", "curves"};
+    static const std::vector<std::string_view> kTop = {"title", "base", "plan", "samples", "seed", "strains"};
+    if (takes_measured_entry(entry)) return;
     const auto n_dots = std::ranges::count(entry.key, '.');
     const bool is_section = std::holds_alternative<model::TomlSection>(entry.value);
     if (n_dots == 0) {

@@ -10,8 +10,10 @@
 #include <string>
 #include <utility>
 
+#include "base/errors.h"
 #include "base/number_text.h"
 #include "base/quantity.h"
+#include "picture/comparison_chart.h"
 #include "report/figures.h"
 #include "report/frame_pictures.h"
 #include "report/page.h"
@@ -21,6 +23,7 @@
 #include "results/history_file.h"
 #include "results/read_frame.h"
 #include "results/read_run.h"
+#include "study/compare_runs.h"
 
 namespace knitmech::study {
 namespace {
@@ -174,6 +177,21 @@ std::string table_at_strains(const Study& study, const std::vector<VariantState>
   return report::table(rows);
 }
 
+std::vector<std::string> comparison_row(std::vector<std::string> row, const compare::Comparison& comparison) {
+  const compare::KnotFit& simulated = comparison.simulated_fit;
+  const compare::KnotFit& measured = comparison.measured_fit;
+  row.push_back(number_text(comparison.rms));
+  row.push_back(base::percent_text(comparison.rms_ratio));
+  row.push_back(comparison.share_in_range ? base::percent_text(*comparison.share_in_range) : "");
+  row.push_back(base::percent_text(comparison.offset));
+  for (const compare::KnotFit* fit : {&simulated, &measured}) row.push_back(number_text(fit->initial_slope));
+  for (const compare::KnotFit* fit : {&simulated, &measured})
+    row.push_back(fit->locking_strain ? base::percent_text(*fit->locking_strain) : "");
+  for (const compare::KnotFit* fit : {&simulated, &measured}) row.push_back(number_text(fit->locked_slope));
+  row.push_back(number_text(comparison.simulated_work / comparison.measured_work));
+  return row;
+}
+
 std::string strains_section(const Study& study, const std::vector<VariantState>& states) {
   const VariantState* reference = reference_of(study, states);
   if (reference == nullptr || study.strains.empty()) return {};
@@ -184,6 +202,33 @@ std::string strains_section(const Study& study, const std::vector<VariantState>&
          "<h3>Force [N], mean over the 1 % of strain before</h3>\n" +
          table_at_strains(study, states, "force_N", *reference) + "<h3>Width [mm]</h3>\n" +
          table_at_strains(study, states, "width_mm", *reference);
+}
+
+/// Each run beside the measured curves: error measures, and the overlay of all in force per width.
+std::string measured_section(const Study& study, const std::vector<VariantState>& states, const Figures& figures) {
+  std::vector<std::vector<std::string>> rows = {head_row(study)};
+  for (const char* name :
+       {"RMS [N/mm]", "of the largest force", "within the range", "slack taken away", "initial slope [N/mm]",
+        "measured", "locking at", "measured", "slope after [N/mm]", "measured", "work ratio"}) {
+    rows.front().emplace_back(name);
+  }
+  std::vector<std::string> charts;
+  std::string troubles;
+  for (const VariantState& state : states) {
+    if (!is_completed(state)) continue;
+    try {
+      const compare::Comparison comparison = compare_run(state.folder, *study.measured);
+      rows.push_back(comparison_row(row_of(study, state), comparison));
+      if (charts.size() == kMostPictureRows) continue;
+      charts.push_back(figures.chart("measured-" + state.variant.name,
+                                     picture::comparison_chart(comparison, title_of(study, state.variant), 0),
+                                     "Force per width, simulated and measured."));
+    } catch (const InputError& error) {
+      troubles += fmt::format("<p class=\"bad\">{}: {}</p>\n", report::escaped(state.variant.name),
+                              report::escaped(error.what()));
+    }
+  }
+  return troubles + (rows.size() > 1 ? report::table(rows) : "") + report::side_by_side(charts);
 }
 
 /// A value on an axis, in the unit that values of its parameter are written in; empty for a word.
@@ -280,16 +325,14 @@ std::string shape_rows(const Study& study, const std::vector<VariantState>& stat
 std::string pictures_of(const Study& study, const VariantState& state, const Figures& figures) {
   const results::StoredRun run = results::read_run(state.folder);
   const std::vector<model::Frame> frames = frames_of(study, run);
-  std::string html = fmt::format(
-      "<h3>{}</h3>\n<div class=\"scroll\"><div class=\"row\" style=\"grid-template-columns: "
-      "repeat({}, minmax(260px, 1fr))\">\n",
-      report::escaped(title_of(study, state.variant)), std::max<std::size_t>(frames.size(), 3));
+  std::string html =
+      fmt::format("<h3>{}</h3>\n<div class=\"pictures\">\n", report::escaped(title_of(study, state.variant)));
   for (const model::Frame& frame : frames) {
     html += figures.png(fmt::format("{}-{:04}", state.variant.name, frame.index),
                         report::draw_contact(run.model, frame, kPictureHeight, 0),
                         fmt::format("Contact force at {}", base::percent_text(frame.history.strain)));
   }
-  return html + "</div></div>\n";
+  return html + "</div>\n";
 }
 
 std::string fabrics_section(const Study& study, const std::vector<VariantState>& states, const Figures& figures) {
@@ -331,6 +374,7 @@ void write_study_report(const fs::path& folder, const Study& study, const std::v
   page.add_section("Runs", table_section(study, states));
   page.add_section("Curves", curves_section(study, states, figures));
   page.add_section("At the same strain", strains_section(study, states));
+  if (study.measured) page.add_section("Beside measurements", measured_section(study, states, figures));
   const std::string effects = effects_section(study, states, figures);
   if (!effects.empty()) page.add_section("Effects", effects);
   page.add_section("Shape and contact", shape_rows(study, states));

@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <regex>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 #include <vector>
@@ -239,6 +241,33 @@ TEST(Chart, RefusesSeriesOfUnequalLength) {
   Chart chart;
   chart.series = {{"odd", {1, 2}, {1}}};
   EXPECT_THROW(static_cast<void>(chart_svg(chart)), std::invalid_argument);
+}
+
+TEST(Chart, GivenALimitWhenDrawnThenALineCrossesTheChartThereAndItsTextStandsBesideIt) {
+  Chart chart{
+      .x_label = "x", .y_label = "y", .series = {{"", {0, 10}, {0, 1}}}, .limits = {{5, "toe"}, {11, "beyond"}}};
+  const std::string svg = chart_svg(chart);
+  EXPECT_NE(svg.find(">toe</text>"), std::string::npos);
+  EXPECT_NE(svg.find("stroke-dasharray=\"3 3\""), std::string::npos);
+  EXPECT_EQ(svg.find("beyond"), std::string::npos);
+}
+
+// Ten names of 30 letters are about 3000 px long; the chart is 640 px wide.
+TEST(Chart, GivenALegendLongerThanTheChartWhenDrawnThenItGoesOnInTheNextRowAndNoEntryBeginsBeyondTheChart) {
+  Chart chart{.x_label = "x", .y_label = "y", .width = 640, .height = 600};
+  for (int i = 0; i < 10; ++i) chart.series.push_back({std::string(30, static_cast<char>('a' + i)), {0, 1}, {0, 1}});
+  const std::string svg = chart_svg(chart);
+  std::set<double> rows;
+  for (int i = 0; i < 10; ++i) {
+    const auto name = svg.find(std::string(30, static_cast<char>('a' + i)));
+    ASSERT_NE(name, std::string::npos);
+    const std::string element = svg.substr(svg.rfind("<text", name), 60);
+    double x = 0, y = 0;
+    ASSERT_EQ(std::sscanf(element.c_str(), "<text x=\"%lf\" y=\"%lf\"", &x, &y), 2) << element;
+    EXPECT_LT(x + 150, 640);
+    rows.insert(y);
+  }
+  EXPECT_GE(rows.size(), 5U);
 }
 
 }  // namespace

@@ -39,6 +39,13 @@ TEST(ForceChart, GivenALogarithmicAxisWhenChartedThenForcesFarBelowTheLargestAre
   EXPECT_EQ(chart.series.front().y.back(), 2);
 }
 
+TEST(ForceChart, GivenALogarithmicAxisWhenChartedThenWavesWithinOnePerCentOfStrainAreAveraged) {
+  std::vector<model::HistoryRow> history;
+  for (int i = 0; i < 100; ++i) history.push_back(row_at(0.001 * i, i % 2 == 0 ? 1 : 3));
+  const picture::Chart chart = force_chart({{"run", history}}, true);
+  for (std::size_t i = 20; i < 100; ++i) EXPECT_NEAR(chart.series.front().y[i], 2, 0.1);
+}
+
 TEST(ContractionChart, GivenAFabricThatDrawsInByAFifthWhenChartedThenItIsTwentyPerCent) {
   const picture::Chart chart = contraction_chart({{"run", {row_at(0, 0, 20), row_at(0.1, 1, 16)}}});
   EXPECT_THAT(chart.series.front().y, ElementsAre(DoubleNear(0, 1e-12), DoubleNear(20, 1e-12)));

@@ -84,7 +84,12 @@ TEST(StudyFile, GivenAMistakeWhenReadThenTheMessageNamesFileLineAndKeyAndWhatWou
   EXPECT_THAT(complaint_about_study("plan = \"sobol\""), HasSubstr("has nothing to sample"));
   EXPECT_THAT(complaint_about_study("plan = \"sobol\"\n[contact.friction]\nvalues = [0, 1]"),
               HasSubstr("write from and to"));
-  EXPECT_THAT(complaint_about_study("curves = [\"nowhere.csv\"]"), HasSubstr("there is no file"));
+  EXPECT_THAT(complaint_about_study("[measured]\nfiles = [\"nowhere.csv\"]"), HasSubstr("there is no file"));
+  EXPECT_THAT(complaint_about_study("[measured]\nwidth = \"50 mm\""), HasSubstr("measured.files"));
+  EXPECT_THAT(complaint_about_study("[measured]\nfile = \"x.csv\""), HasSubstr("the keys of [measured] are files"));
+  EXPECT_THAT(complaint_about_study("[measured]\nfiles = \"base.toml\"\nwidth = \"0 mm\""),
+              HasSubstr("more than 0 mm"));
+  EXPECT_THAT(complaint_about_study("[measured]\nfiles = \"base.toml\"\noffset = \"none\""), HasSubstr("\"auto\""));
   EXPECT_THAT(complaint_about_study("strains = [0.2, 0.1]"), HasSubstr("ascending"));
   EXPECT_THAT(complaint_about_study("titl = \"x\""), HasSubstr("did you mean title?"));
 }
