@@ -98,7 +98,10 @@ Chart force_chart(const std::vector<NamedHistory>& runs, bool logarithmic) {
   Chart chart = chart_over_strain(runs, in_millinewton ? "Grip force [mN]" : "Grip force [N]",
                                   [&](const HistoryRow& row) { return scale * row.force_top; });
   if (logarithmic) {
-    for (Series& series : chart.series) series.y = without_waves(series.x, series.y, kLeastShown * scale * most);
+    for (Series& series : chart.series) {
+      if (series.y.empty()) continue;
+      series.y = without_waves(series.x, series.y, kLeastShown * *std::ranges::max_element(series.y));
+    }
   }
   chart.log_y = logarithmic;
   return chart;

@@ -16,7 +16,8 @@ struct NamedHistory {
 };
 
 /// Grip force over strain [%], of one run or of several; in mN where no force reaches 0.1 N.
-/// \param logarithmic the force axis, which shows the toe: means over 1 % of strain, gaps below 1e-4 of the largest
+/// \param logarithmic the force axis, which shows the toe: means over 1 % of strain, gaps below 1e-4 of the largest of
+/// the same run
 [[nodiscard]] picture::Chart force_chart(const std::vector<NamedHistory>& runs, bool logarithmic);
 
 /// Work of the grip over strain [%].

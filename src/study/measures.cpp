@@ -77,6 +77,12 @@ std::optional<double> out_of_plane_of(const Json& summary) {
   return largest;
 }
 
+/// Share of the contact force in the middle third of the width, in the last stored frame [-].
+std::optional<double> middle_share_of(const Json& summary) {
+  const Json frames = summary.value("frames", Json::array());
+  return frames.empty() ? std::nullopt : number_at(frames.back(), "contact_force_in_middle_third");
+}
+
 }  // namespace
 
 std::vector<Measure> measures_of(const fs::path& run_folder, const std::vector<double>& strains) {
@@ -96,6 +102,7 @@ std::vector<Measure> measures_of(const fs::path& run_folder, const std::vector<d
   add("friction_loss_mJ", "final/friction_loss_mJ");
   add("largest_axial_strain", "largest_in_yarns/axial_strain/value");
   measures.push_back({"out_of_plane_mm", out_of_plane_of(summary)});
+  measures.push_back({"contact_force_in_middle_third", middle_share_of(summary)});
   for (const double strain : strains) {
     const std::string at = fmt::format("_at_{:.4g}_percent", 100 * strain);
     measures.push_back({"force_N" + at, force_at(history, strain)});

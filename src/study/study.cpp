@@ -133,13 +133,21 @@ void fill_case(const Study& study, Variant& variant) {
   variant.complaint = names_key ? broken->complaint : fmt::format("{}: {}", broken->key, broken->complaint);
 }
 
+/// A number without the last digits that steps through a range leave: 0.3 for 0.30000000000000004.
+double without_rounding(double number) {
+  const std::string text = fmt::format("{:.12g}", number);
+  double rounded = number;
+  std::from_chars(text.data(), text.data() + text.size(), rounded);
+  return rounded;
+}
+
 }  // namespace
 
 model::Value value_in_range(const Variation& variation, double share) {
   const double number = variation.logarithmic ? variation.from * std::pow(variation.to / variation.from, share)
                                               : variation.from + share * (variation.to - variation.from);
   if (kind_of(*variation.parameter) == model::Kind::whole_number) return static_cast<int>(std::lround(number));
-  return number;
+  return without_rounding(number);
 }
 
 std::string value_text(const model::Parameter& parameter, const model::Value& value, std::optional<int> digits) {

@@ -62,7 +62,10 @@ std::string at(const char* name, double strain) {
 }
 
 std::string number_text(const std::optional<double>& value) {
-  return value ? fmt::format("{:.4g}", *value) : "";
+  constexpr double kLongNumber = 1e4;
+  if (!value) return {};
+  const bool is_long_count = std::abs(*value) >= kLongNumber && *value == std::round(*value);
+  return is_long_count ? fmt::format("{:.0f}", *value) : fmt::format("{:.4g}", *value);
 }
 
 /// What stands above a column of the values of a variation.

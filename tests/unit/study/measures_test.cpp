@@ -30,7 +30,8 @@ void write_run(const StudyFolder& folder) {
   folder.write("history.csv", history);
   folder.write("summary.json", R"({"format": "knitmech-run", "status": "completed", "final": {"strain": 0.1},
     "quality": {"quasi_static": true, "kinetic_ratio": 0.02, "toe_strain": null},
-    "frames": [{"lowest_z_mm": -0.5, "highest_z_mm": 1}, {"lowest_z_mm": 0, "highest_z_mm": 1.25}]})");
+    "frames": [{"lowest_z_mm": -0.5, "highest_z_mm": 1}, {"lowest_z_mm": 0, "highest_z_mm": 1.25,
+    "contact_force_in_middle_third": 0.4}]})");
 }
 
 TEST(Measures, GivenALinearCurveWhenMeasuredThenTheForceIsTheMeanOverTheLastPerCent) {
@@ -59,6 +60,7 @@ TEST(Measures, GivenASummaryWhenMeasuredThenItsNumbersAreTakenAndNullIsNoValue) 
   EXPECT_EQ(measure(measures, "strain"), 0.1);
   EXPECT_FALSE(measure(measures, "toe_strain").has_value());
   EXPECT_EQ(measure(measures, "out_of_plane_mm"), 1.5);
+  EXPECT_EQ(measure(measures, "contact_force_in_middle_third"), 0.4);
 }
 
 TEST(Measures, GivenNoRunWhenMeasuredThenTheNamesAreTheSameAndAllIsEmpty) {
