@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <set>
@@ -37,14 +38,15 @@ using results::StoredRun;
 
 constexpr int kPictureHeight = 800;  // [px]
 
-/// The frames that are shown: all, or some of them that are evenly spaced in strain.
+/// The frames that are shown: all, or some of them that are evenly spaced in strain, the last among them.
 std::vector<model::Frame> shown_frames(const StoredRun& run) {
-  std::set<int> indices;
-  for (std::size_t i = 0; i < kMostFrames; ++i) {
-    const double share = static_cast<double>(i) / (kMostFrames - 1);
+  const std::size_t n_most = std::clamp(kMostNodesShown / run.model.nodes.size(), std::size_t{1}, kMostFrames);
+  std::set<int> indices = {run.frames.back().index};
+  for (std::size_t i = 0; i + 1 < n_most; ++i) {
+    const double share = static_cast<double>(i) / static_cast<double>(n_most - 1);
     indices.insert(results::nearest_frame(run, share * run.frames.back().strain).index);
   }
-  if (run.frames.size() <= kMostFrames) {
+  if (run.frames.size() <= n_most) {
     for (const results::StoredFrame& frame : run.frames) indices.insert(frame.index);
   }
   std::vector<model::Frame> frames;
@@ -148,11 +150,20 @@ std::string fabric_section(const StoredRun& run, const std::vector<model::Frame>
 
 /// The contact zones of all frames that have contacts, and the fabric from the side at the end.
 std::string maps_of(const StoredRun& run, const std::vector<model::Frame>& frames, const Figures& figures) {
+  if (run.model.nodes.size() > kMostNodesInLines) {
+    return "<p class=\"soft\">The fabric is too large for maps of its contacts; <code>knitmech render</code> draws "
+           "parts of "
+           "it.</p>\n";
+  }
   std::vector<std::string> maps;
+  std::string without;
   try {
     for (const model::Frame& frame : frames) {
       const std::string at = base::percent_text(frame.history.strain);
-      if (frame.contacts.empty()) continue;
+      if (frame.contacts.empty()) {
+        without += (without.empty() ? "" : ", ") + at;
+        continue;
+      }
       maps.push_back(figures.svg(fmt::format("contact-map-{:04}", frame.index),
                                  picture::contact_map_svg(run.model, frame, fmt::format("Contacts at {}", at)),
                                  fmt::format("Contact zones at {}: discs as large as the normal force.", at)));
@@ -166,7 +177,8 @@ std::string maps_of(const StoredRun& run, const std::vector<model::Frame>& frame
     // The yarns of a run that has failed may be scattered.
     maps.push_back(figure("", error.what()));
   }
-  return side_by_side(maps);
+  const std::string none = fmt::format("<p class=\"soft\">No yarns press on each other at {}.</p>\n", without);
+  return (without.empty() ? "" : none) + side_by_side(maps);
 }
 
 std::string shape_section(const StoredRun& run, const std::vector<model::Frame>& frames, const Figures& figures) {

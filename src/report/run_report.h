@@ -23,7 +23,14 @@ void write_run_report(const results::StoredRun& run, int threads = 0);
 /// @throws FileError if that fails
 void remove_run_report(const std::filesystem::path& run_folder);
 
-/// Frames that a report shows [-]; more make the page larger, about 0.5 MB each.
+/// Frames that a report shows [-]; more make the page larger, about 1 MB each.
 inline constexpr std::size_t kMostFrames = 6;
+
+/// Nodes of all frames that a report shows together [-]: of a large fabric it shows fewer frames, at least the last. A
+/// million nodes take some 0.4 GB while the report is made.
+inline constexpr std::size_t kMostNodesShown = 4'000'000;
+
+/// Nodes up to which a fabric is drawn as lines, in contact maps and from the side [-]; 100 000 make 4 MB each.
+inline constexpr std::size_t kMostNodesInLines = 100'000;
 
 }  // namespace knitmech::report
