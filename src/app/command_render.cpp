@@ -72,7 +72,7 @@ void make_folder_of(const fs::path& file) {
 /// Where a picture or a film goes: where the user says, or into the folder pictures/ of the run under a name.
 fs::path output_file(const RenderOptions& options, const std::string& name) {
   if (options.file.empty()) {
-    const fs::path file = fs::path(options.run) / "pictures" / name;
+    fs::path file = fs::path(options.run) / "pictures" / name;
     make_folder_of(file);
     return file;
   }

@@ -91,6 +91,11 @@ TEST(StudyFile, GivenAMistakeWhenReadThenTheMessageNamesFileLineAndKeyAndWhatWou
               HasSubstr("more than 0 mm"));
   EXPECT_THAT(complaint_about_study("[measured]\nfiles = \"base.toml\"\noffset = \"none\""), HasSubstr("\"auto\""));
   EXPECT_THAT(complaint_about_study("strains = [0.2, 0.1]"), HasSubstr("ascending"));
+  EXPECT_THAT(complaint_about_study("[measured]\nfiles = \"base.toml\"\nwidth = 5"), HasSubstr("write it in quotes"));
+  EXPECT_THAT(complaint_about_study("[loop.\"height.x\"]\nvalues = [1]"), HasSubstr("there is no parameter"));
+  EXPECT_THAT(complaint_about_study("[\"loop.height\"]\nvalues = [1]"), HasSubstr("there is no parameter"));
+  EXPECT_THAT(complaint_about_study("[loop.height.mm]\nvalues = [1]"), HasSubstr("there is no key \"mm\" here"));
+  EXPECT_THAT(complaint_about_study("[strains]\nx = 1"), HasSubstr("is a section, but must be a value"));
   EXPECT_THAT(complaint_about_study("titl = \"x\""), HasSubstr("did you mean title?"));
 }
 
