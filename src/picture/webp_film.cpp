@@ -124,7 +124,7 @@ std::string WebpFilm::finish(double hold) {
     throw std::runtime_error(
         fmt::format("The film cannot be written: {}.", WebPAnimEncoderGetError(encoder_->webp.get())));
   }
-  const std::string bytes(reinterpret_cast<const char*>(data.bytes), data.size);
+  std::string bytes(reinterpret_cast<const char*>(data.bytes), data.size);
   WebPDataClear(&data);
   return bytes;
 }

@@ -50,6 +50,7 @@ std::vector<model::Frame> shown_frames(const StoredRun& run) {
     for (const results::StoredFrame& frame : run.frames) indices.insert(frame.index);
   }
   std::vector<model::Frame> frames;
+  frames.reserve(indices.size());
   for (const int index : indices) frames.push_back(results::read_frame(run, index));
   return frames;
 }

@@ -26,7 +26,7 @@ class Cells {
   }
 
   double number() {
-    const double value = parse_number<double>(cells_[at_], columns_[at_], place_);
+    const auto value = parse_number<double>(cells_[at_], columns_[at_], place_);
     ++at_;
     return value;
   }

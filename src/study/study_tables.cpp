@@ -164,6 +164,7 @@ std::vector<model::Frame> frames_of(const Study& study, const results::StoredRun
   std::set<int> indices;
   for (const double strain : study.strains) indices.insert(results::nearest_frame(run, strain).index);
   std::vector<model::Frame> frames;
+  frames.reserve(indices.size());
   for (const int index : indices) frames.push_back(results::read_frame(run, index));
   return frames;
 }
