@@ -86,7 +86,9 @@ std::optional<double> middle_share_of(const Json& summary) {
 }  // namespace
 
 std::vector<Measure> measures_of(const fs::path& run_folder, const std::vector<double>& strains) {
-  const auto [summary, history] = leavings_of(run_folder);
+  const Leavings leavings = leavings_of(run_folder);
+  const Json& summary = leavings.summary;
+  const std::vector<HistoryRow>& history = leavings.history;
   std::vector<Measure> measures;
   const auto add = [&](const char* name, const char* path) { measures.push_back({name, number_at(summary, path)}); };
   add("quasi_static", "quality/quasi_static");

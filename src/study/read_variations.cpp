@@ -158,6 +158,7 @@ std::vector<Variation> read_variations(const StudyEntries& entries, Plan plan) {
     section->second.entries.emplace(entry.key.substr(dot + 1), entry);
   }
   std::vector<Variation> variations;
+  variations.reserve(sections.size());
   for (const auto& [key, given] : sections) variations.push_back(variation_from(entries, plan, key, given));
   return variations;
 }

@@ -155,7 +155,7 @@ std::string value_text(const model::Parameter& parameter, const model::Value& va
   if (const auto* word = std::get_if<std::string>(&value)) return *word;
   if (const auto* whole = std::get_if<int>(&value)) return fmt::format("{}", *whole);
   const double number = std::get<double>(value);
-  const std::string whole_text = base::format_quantity(number, parameter.dimension);
+  std::string whole_text = base::format_quantity(number, parameter.dimension);
   if (!digits) return whole_text;
   const auto space = whole_text.find(' ');
   const std::string unit = space == std::string::npos ? "" : whole_text.substr(space);
