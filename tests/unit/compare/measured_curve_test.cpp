@@ -26,8 +26,6 @@ class MeasuredCurves : public testing::Test {
     fs::create_directories(folder_);
   }
   ~MeasuredCurves() override { fs::remove_all(folder_); }
-  MeasuredCurves(const MeasuredCurves&) = delete;
-  MeasuredCurves& operator=(const MeasuredCurves&) = delete;
 
   [[nodiscard]] std::string file(const std::string& name, const std::string& text) const {
     std::ofstream(folder_ / name, std::ios::binary) << text;
@@ -111,7 +109,8 @@ TEST_F(MeasuredCurves, GivenAStressOverASection_ThenItSaysWhatAFabricHas) {
 
 TEST(MeasuredFabric, GivenMeasuredStockinette_ThenTheCurveOfOneSampleIsRead) {
   // Acrylic stockinette of Singal et al., Nature Communications 15, 2622 (2024), which is not part of this project.
-  const char* const folder = std::getenv("KNITMECH_MEASURED_CURVES");
+  // No thread changes the environment.
+  const char* const folder = std::getenv("KNITMECH_MEASURED_CURVES");  // NOLINT(concurrency-mt-unsafe)
   const fs::path path = fs::path(folder != nullptr ? folder : KNITMECH_SOURCE_DIR "/../shared/data/knit-tensile") /
                         "acrylic-stockinette.csv";
   if (!fs::exists(path)) GTEST_SKIP() << "There is no " << path << "; set KNITMECH_MEASURED_CURVES to its folder.";
