@@ -41,6 +41,7 @@ TEST(ForceChart, GivenALogarithmicAxisWhenChartedThenForcesFarBelowTheLargestAre
 
 TEST(ForceChart, GivenALogarithmicAxisWhenChartedThenWavesWithinOnePerCentOfStrainAreAveraged) {
   std::vector<model::HistoryRow> history;
+  history.reserve(100);
   for (int i = 0; i < 100; ++i) history.push_back(row_at(0.001 * i, i % 2 == 0 ? 1 : 3));
   const picture::Chart chart = force_chart({{"run", history}}, true);
   for (std::size_t i = 20; i < 100; ++i) EXPECT_NEAR(chart.series.front().y[i], 2, 0.1);

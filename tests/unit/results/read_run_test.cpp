@@ -353,11 +353,11 @@ TEST_P(DamagedRunTest, IsRefusedWithTheNameOfTheFileOrReadAsItStands) {
   EXPECT_GT(n_refused, 0U);
   // And the same with a bit turned over, at places in a fixed order.
   std::uint32_t state = 12345;
-  for (int i = 0; i < 80; ++i) {
+  for (unsigned i = 0; i < 80; ++i) {
     state = state * 1664525U + 1013904223U;
     std::string damaged = whole;
     char& letter = damaged[state % damaged.size()];
-    letter = static_cast<char>(letter ^ static_cast<char>(1U << (i % 8U)));
+    letter = static_cast<char>(letter ^ static_cast<char>(1U << (i % 8)));
     test::write_text(file, damaged);
     const std::string said = complaint(dir_);
     EXPECT_TRUE(said.empty() || said.find(dir_.string()) != std::string::npos) << said;
