@@ -15,6 +15,7 @@ using ::testing::HasSubstr;
 
 std::vector<std::string> names_of(const std::vector<Variant>& variants) {
   std::vector<std::string> names;
+  names.reserve(variants.size());
   for (const Variant& variant : variants) names.push_back(variant.name);
   return names;
 }
