@@ -35,6 +35,29 @@ std::string in_quotes(std::string_view text) {
   return '"' + shown + (cut ? "...\"" : "\"");
 }
 
+std::string in_markup(std::string_view text) {
+  std::string result;
+  for (const char each : text) {
+    switch (each) {
+      case '&':
+        result += "&amp;";
+        break;
+      case '<':
+        result += "&lt;";
+        break;
+      case '>':
+        result += "&gt;";
+        break;
+      case '"':
+        result += "&quot;";
+        break;
+      default:
+        result += static_cast<unsigned char>(each) < 0x20 ? ' ' : each;
+    }
+  }
+  return result;
+}
+
 int edit_distance(std::string_view word_a, std::string_view word_b) {
   // One row of the usual table: row[j] = distance of the letters of a seen so far from the first j letters of b.
   std::vector<int> row(word_b.size() + 1);

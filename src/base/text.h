@@ -9,6 +9,10 @@ namespace knitmech::base {
 /// A text in double quotes for a message: control characters become "?", and what is longer than 60 bytes is cut.
 [[nodiscard]] std::string in_quotes(std::string_view text);
 
+/// Text as it may stand in HTML, XML and SVG, also inside an attribute in double quotes; control characters, which XML
+/// has no way to write, become spaces.
+[[nodiscard]] std::string in_markup(std::string_view text);
+
 /// Least number of letters to insert, delete or replace to get from one word to the other (Levenshtein distance).
 [[nodiscard]] int edit_distance(std::string_view word_a, std::string_view word_b);
 

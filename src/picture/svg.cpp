@@ -2,41 +2,19 @@
 
 #include <fmt/core.h>
 
+#include "base/text.h"
+
 namespace knitmech::picture {
 namespace {
 
 constexpr const char* kFont = "DejaVu Sans, Helvetica, Arial, sans-serif";
-
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      default:
-        // XML has no way to write control characters.
-        result += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
-    }
-  }
-  return result;
-}
 
 }  // namespace
 
 std::string text_element(double x, double y, double size, const char* anchor, const std::string& text,
                          const std::string& more) {
   return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"{}\" text-anchor=\"{}\"{}>{}</text>\n", x, y, size,
-                     anchor, more, escaped(text));
+                     anchor, more, base::in_markup(text));
 }
 
 std::string line_element(double x1, double y1, double x2, double y2, const char* attributes) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <span>
 
+#include "base/text.h"
 #include "report/style.h"
 #include "results/base64.h"
 
@@ -45,37 +46,14 @@ std::vector<bool> number_columns(const std::vector<std::vector<std::string>>& ro
 
 }  // namespace
 
-std::string escaped(std::string_view text) {
-  std::string result;
-  for (const char each : text) {
-    switch (each) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      default:
-        result += static_cast<unsigned char>(each) < 0x20 ? ' ' : each;
-    }
-  }
-  return result;
-}
-
 std::string inline_png(std::string_view bytes, const std::string& description) {
   const auto data = std::as_bytes(std::span(bytes.data(), bytes.size()));
-  return fmt::format(R"(<img alt="{}" src="data:image/png;base64,{}">)", escaped(description),
+  return fmt::format(R"(<img alt="{}" src="data:image/png;base64,{}">)", base::in_markup(description),
                      results::to_base64(data));
 }
 
 std::string figure(const std::string& drawing, const std::string& caption) {
-  return fmt::format("<figure>{}<figcaption>{}</figcaption></figure>\n", drawing, escaped(caption));
+  return fmt::format("<figure>{}<figcaption>{}</figcaption></figure>\n", drawing, base::in_markup(caption));
 }
 
 std::string side_by_side(const std::vector<std::string>& figures) {
@@ -93,15 +71,15 @@ std::string table(const std::vector<std::vector<std::string>>& rows) {
 std::string Page::html(const std::string& footer) const {
   std::string links, body;
   for (std::size_t i = 0; i < sections_.size(); ++i) {
-    links += fmt::format("<a href=\"#s{}\">{}</a> ", i + 1, escaped(sections_[i].title));
-    body += fmt::format("<h2 id=\"s{}\">{}</h2>\n{}", i + 1, escaped(sections_[i].title), sections_[i].html);
+    links += fmt::format("<a href=\"#s{}\">{}</a> ", i + 1, base::in_markup(sections_[i].title));
+    body += fmt::format("<h2 id=\"s{}\">{}</h2>\n{}", i + 1, base::in_markup(sections_[i].title), sections_[i].html);
   }
   return fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
       "<title>{0}</title>\n<style>\n{1}</style>\n</head>\n<body>\n<main>\n<h1>{0}</h1>\n<p class=\"soft\">{2}</p>\n"
       "{3}<nav>{4}</nav>\n{5}<footer>{6}</footer>\n</main>\n</body>\n</html>\n",
-      escaped(title_), kStyle, escaped(subtitle_), head_, links, body, footer);
+      base::in_markup(title_), kStyle, base::in_markup(subtitle_), head_, links, body, footer);
 }
 
 }  // namespace knitmech::report

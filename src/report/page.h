@@ -6,9 +6,6 @@
 
 namespace knitmech::report {
 
-/// Text as it may stand in HTML, also inside an attribute in double quotes; control characters become spaces.
-[[nodiscard]] std::string escaped(std::string_view text);
-
 /// The bytes of a PNG file as an image inside the page. \param description for those who do not see it
 [[nodiscard]] std::string inline_png(std::string_view bytes, const std::string& description);
 

@@ -13,6 +13,7 @@
 
 #include "base/errors.h"
 #include "base/number_text.h"
+#include "base/text.h"
 #include "model/bending_measure.h"
 #include "model/facts.h"
 #include "model/parameters.h"
@@ -56,15 +57,15 @@ std::vector<model::Frame> shown_frames(const StoredRun& run) {
 }
 
 std::string number_html(const std::string& value, const std::string& name) {
-  return fmt::format("<div><b>{}</b><span>{}</span></div>", escaped(value), escaped(name));
+  return fmt::format("<div><b>{}</b><span>{}</span></div>", base::in_markup(value), base::in_markup(name));
 }
 
 std::string verdict_html(const StoredRun& run) {
   const results::RunSummary& summary = run.summary;
   const bool is_good = summary.quality && summary.quality->quasi_static;
-  std::string text = escaped(summary.quality ? summary.quality->verdict : "The run has not ended.");
-  if (!summary.reason.empty()) text += " " + escaped(summary.reason);
-  if (!summary.advice.empty()) text += " " + escaped(summary.advice);
+  std::string text = base::in_markup(summary.quality ? summary.quality->verdict : "The run has not ended.");
+  if (!summary.reason.empty()) text += " " + base::in_markup(summary.reason);
+  if (!summary.advice.empty()) text += " " + base::in_markup(summary.advice);
   return fmt::format("<p class=\"verdict{}\">{}</p>\n", is_good ? "" : " bad", text);
 }
 
@@ -231,7 +232,7 @@ std::string peaks_section(const StoredRun& run) {
     if (!peak) continue;
     rows.push_back({results::kPeakFields.at(i).key, fmt::format("{:.4g}", peak->value),
                     base::percent_text(peak->strain), fmt::format("{}", peak->place.course),
-                    peak->place.wale ? fmt::format("{}", *peak->place.wale) : "", escaped(peak->place.part)});
+                    peak->place.wale ? fmt::format("{}", *peak->place.wale) : "", base::in_markup(peak->place.part)});
   }
   return rows.size() > 1 ? table(rows) : "";
 }
@@ -243,8 +244,9 @@ std::string parameter_table(const StoredRun& run) {
     const bool not_given = parameter.need == model::Need::optional && std::holds_alternative<std::monostate>(value);
     if (not_given) continue;
     // A space keeps numbers and words of this column on one side.
-    rows.push_back({fmt::format("<code>{}</code>", escaped(parameter.key)), escaped(parameter.symbol),
-                    "<code>" + escaped(model::toml_text(parameter, value)) + "</code>", escaped(parameter.help)});
+    rows.push_back({fmt::format("<code>{}</code>", base::in_markup(parameter.key)), base::in_markup(parameter.symbol),
+                    "<code>" + base::in_markup(model::toml_text(parameter, value)) + "</code>",
+                    base::in_markup(parameter.help)});
   }
   return table(rows);
 }
@@ -274,7 +276,7 @@ std::string structure_of(const StoredRun& run) {
 
 std::string footer_html(const StoredRun& run) {
   return fmt::format("Made by KnitMech {}. To repeat it: <code>knitmech run {}</code> with the case of this folder.",
-                     escaped(run.summary.program_version), escaped((run.dir / "case.toml").string()));
+                     base::in_markup(run.summary.program_version), base::in_markup((run.dir / "case.toml").string()));
 }
 
 }  // namespace

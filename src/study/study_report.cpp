@@ -10,6 +10,7 @@
 #include "base/errors.h"
 #include "base/number_text.h"
 #include "base/quantity.h"
+#include "base/text.h"
 #include "picture/comparison_chart.h"
 #include "report/figures.h"
 #include "report/frame_pictures.h"
@@ -64,8 +65,8 @@ std::string measured_section(const Study& study, const std::vector<VariantState>
     try {
       compared.emplace_back(&state, compare_run(state.folder, *study.measured));
     } catch (const InputError& error) {
-      troubles += fmt::format("<p class=\"bad\">{}: {}</p>\n", report::escaped(state.variant.name),
-                              report::escaped(error.what()));
+      troubles += fmt::format("<p class=\"bad\">{}: {}</p>\n", base::in_markup(state.variant.name),
+                              base::in_markup(error.what()));
     }
   }
   std::vector<std::string> charts;
@@ -139,7 +140,7 @@ std::string pictures_of(const Study& study, const VariantState& state, const Fig
   const results::StoredRun run = results::read_run(state.folder);
   const std::vector<model::Frame> frames = frames_of(study, run);
   std::string html =
-      fmt::format("<h3>{}</h3>\n<div class=\"pictures\">\n", report::escaped(title_of(study, state.variant)));
+      fmt::format("<h3>{}</h3>\n<div class=\"pictures\">\n", base::in_markup(title_of(study, state.variant)));
   for (const model::Frame& frame : frames) {
     html += figures.png(fmt::format("{}-{:04}", state.variant.name, frame.index),
                         report::draw_contact(run.model, frame, kPictureHeight, 0),
@@ -195,7 +196,7 @@ void write_study_report(const fs::path& folder, const Study& study, const std::v
   results::write_file_atomically(
       folder / kStudyReportFile,
       page.html(fmt::format("Made by KnitMech {}. To repeat it: <code>knitmech study {}</code>", KNITMECH_VERSION,
-                            report::escaped(study.file.string()))));
+                            base::in_markup(study.file.string()))));
 }
 
 }  // namespace knitmech::study

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "base/number_text.h"
+#include "base/text.h"
 #include "report/page.h"
 #include "results/frame_measures.h"
 #include "results/read_frame.h"
@@ -25,14 +26,14 @@ std::string number_text(const std::optional<double>& value) {
 
 /// What stands above a column of the values of a variation.
 std::string head_of(const Variation& variation) {
-  return fmt::format("<code>{}</code>", report::escaped(model::name_of(variation.parameter->key)));
+  return fmt::format("<code>{}</code>", base::in_markup(model::name_of(variation.parameter->key)));
 }
 
 /// A row of a table that begins with the values of a variant.
 std::vector<std::string> row_of(const Study& study, const VariantState& state) {
-  std::vector<std::string> row = {report::escaped(state.variant.name)};
+  std::vector<std::string> row = {base::in_markup(state.variant.name)};
   for (std::size_t i = 0; i < study.variations.size(); ++i) {
-    row.push_back(report::escaped(value_text(*study.variations[i].parameter, state.variant.values[i], kDigits)));
+    row.push_back(base::in_markup(value_text(*study.variations[i].parameter, state.variant.values[i], kDigits)));
   }
   return row;
 }
@@ -45,7 +46,7 @@ std::vector<std::string> head_row(const Study& study) {
 
 std::string standing_cell(const VariantState& state) {
   if (!is_completed(state)) {
-    return fmt::format("<span class=\"bad\">{}</span> {}", name_of(state.standing), report::escaped(state.reason));
+    return fmt::format("<span class=\"bad\">{}</span> {}", name_of(state.standing), base::in_markup(state.reason));
   }
   return measure(state, "quasi_static") == 1.0 ? "<span class=\"good\">quasi-static</span>"
                                                : "<span class=\"bad\">not quasi-static</span>";
@@ -153,7 +154,7 @@ std::string tables_at_strains(const Study& study, const std::vector<VariantState
   if (reference == nullptr || study.strains.empty()) return {};
   const std::string against =
       fmt::format("<p class=\"soft\">The second number is the difference from the run {}.</p>\n",
-                  report::escaped(reference->variant.name));
+                  base::in_markup(reference->variant.name));
   return against + "<h3>Work [mJ]</h3>\n" + table_at_strains(study, states, "work_mJ", *reference) +
          "<h3>Force [N], mean over the 1 % of strain before</h3>\n" +
          table_at_strains(study, states, "force_N", *reference) + "<h3>Width [mm]</h3>\n" +

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "base/text.h"
 namespace knitmech::report {
 namespace {
 
@@ -28,7 +29,7 @@ TEST(Page, GivenSectionsWhenWrittenThenTheListAtTheTopLeadsToEach) {
 }
 
 TEST(Page, GivenControlCharactersWhenEscapedThenTheyAreSpaces) {
-  EXPECT_EQ(escaped("a\x01\nb"), "a  b");
+  EXPECT_EQ(base::in_markup("a\x01\nb"), "a  b");
 }
 
 TEST(Table, GivenAColumnOfNumbersWhenWrittenThenItIsSetToTheRightAndOneOfWordsIsNot) {
