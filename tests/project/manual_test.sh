@@ -41,7 +41,7 @@ given_a_manual '<p>```</p>'
 then_it_reports 'index.html shows ``` as text: a listing inside a list must be indented by four spaces'
 given_a_manual '<p>These:
 * one</p>'
-then_it_reports 'index.html shows a list as text, an empty line is missing before it: * one'
+then_it_reports 'index.html shows a list as text, for want of an empty line before it or four spaces after it: * one'
 given_a_manual ''
 printf '@import "https://example.org/font.css";' >"$scratch/style.css"
 then_it_reports 'style.css loads something from the network'
