@@ -28,7 +28,7 @@ using base::percent_text;
                                         double mass_scaling, int threads, const std::filesystem::path& folder,
                                         std::optional<double> resumed_at);
 
-/// "Stages: toe to 18.5 % strain, slope 1.26 mN/mm; bending to 22 %, slope 23.9 mN/mm; ...", the slopes per width and
+/// "Stages: toe to 14.4 % strain, slope 0.373 mN/mm; bending to 22 %, slope 15.4 mN/mm; ...", the slopes per width and
 /// unit of strain; empty without stages.
 [[nodiscard]] std::string stages_text(const results::CurveStages& stages);
 
