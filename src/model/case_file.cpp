@@ -30,9 +30,10 @@ struct Reading {
   std::string file;
   std::vector<TomlEntry> entries;
   Case result = default_case();
+  std::vector<CaseFileError> mistakes{};
 
-  [[noreturn]] void refuse(int line, const std::string& key, const std::string& complaint) const {
-    throw CaseFileError(file, line, key, complaint);
+  void note(int line, const std::string& key, const std::string& complaint) {
+    mistakes.emplace_back(file, line, key, complaint);
   }
 };
 
@@ -84,46 +85,50 @@ std::string advice_on_key(std::string_view key) {
   return fmt::format("the keys of [{}] are {}", section, base::alternatives(known));
 }
 
-void check_section(const Reading& reading, const TomlEntry& entry) {
+void check_section(Reading& reading, const TomlEntry& entry) {
   if (is_section(entry.key)) return;
-  if (find_parameter(entry.key) != nullptr) reading.refuse(entry.line, entry.key, "is a section, but must be a value");
+  if (find_parameter(entry.key) != nullptr) {
+    reading.note(entry.line, entry.key, "is a section, but must be a value");
+    return;
+  }
   const auto nearest = base::nearest_word(entry.key, section_names());
-  reading.refuse(entry.line, {},
-                 nearest.empty() ? fmt::format("there is no section [{}]; the sections are {}", entry.key,
-                                               base::alternatives(section_names()))
-                                 : fmt::format("there is no section [{}]; did you mean [{}]?", entry.key, nearest));
+  reading.note(entry.line, {},
+               nearest.empty() ? fmt::format("there is no section [{}]; the sections are {}", entry.key,
+                                             base::alternatives(section_names()))
+                               : fmt::format("there is no section [{}]; did you mean [{}]?", entry.key, nearest));
 }
 
 void take_value(Reading& reading, const TomlEntry& entry) {
   if (is_section(entry.key)) {
-    reading.refuse(entry.line, entry.key, fmt::format("is a value, but must be a section; write [{}]", entry.key));
+    reading.note(entry.line, entry.key, fmt::format("is a value, but must be a section; write [{}]", entry.key));
+    return;
   }
   const Parameter* parameter = find_parameter(entry.key);
   if (parameter == nullptr) {
-    reading.refuse(entry.line, base::in_quotes(entry.key), "there is no such key; " + advice_on_key(entry.key));
+    reading.note(entry.line, base::in_quotes(entry.key), "there is no such key; " + advice_on_key(entry.key));
+    return;
   }
   try {
     set_value(reading.result, *parameter, value_from(*parameter, entry.value));
   } catch (const InputError& error) {
-    reading.refuse(entry.line, entry.key, error.what());
+    reading.note(entry.line, entry.key, error.what());
   }
 }
 
-void check_nothing_missing(const Reading& reading) {
+void check_nothing_missing(Reading& reading) {
   for (const Parameter& parameter : parameters()) {
     if (parameter.need != Need::required || find_entry(reading.entries, parameter.key) != nullptr) continue;
     const std::string_view section = section_name_of(parameter.key);
     const std::string where = section.empty() ? "at the top of the file" : fmt::format("in [{}]", section);
-    reading.refuse(
-        nearest_line(reading.entries, parameter.key), std::string(parameter.key),
-        fmt::format("is missing; write for example {} {} ({})", example_of(parameter), where, parameter.help));
+    reading.note(nearest_line(reading.entries, parameter.key), std::string(parameter.key),
+                 fmt::format("is missing; write for example {} {} ({})", example_of(parameter), where, parameter.help));
   }
 }
 
-void check_rules(const Reading& reading) {
+void check_rules(Reading& reading) {
   const auto broken = broken_rule(reading.result);
   if (!broken) return;
-  reading.refuse(nearest_line(reading.entries, broken->key), broken->key, broken->complaint);
+  reading.note(nearest_line(reading.entries, broken->key), broken->key, broken->complaint);
 }
 
 void check_is_text(std::string_view text, const std::string& file) {
@@ -136,6 +141,29 @@ void check_is_text(std::string_view text, const std::string& file) {
   if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
     throw CaseFileError(file, 0, {}, "is empty; `knitmech new` writes a case file to start from");
   }
+}
+
+/// @throws CaseFileError for what is no text and no TOML
+Reading read_all(std::string_view text, const std::string& file) {
+  check_is_text(text, file);
+  Reading reading{.file = file, .entries = {}};
+  try {
+    reading.entries = toml_entries(text);
+  } catch (const TomlSyntaxError& error) {
+    throw CaseFileError(file, error.line(), {}, error.what());
+  }
+  for (const TomlEntry& entry : reading.entries) {
+    if (std::holds_alternative<TomlSection>(entry.value)) {
+      check_section(reading, entry);
+    } else {
+      take_value(reading, entry);
+    }
+  }
+  check_nothing_missing(reading);
+  if (!reading.mistakes.empty()) return reading;
+  if (find_entry(reading.entries, "output.frames_at") == nullptr) cut_frames_to_test(reading.result);
+  check_rules(reading);
+  return reading;
 }
 
 std::string section_text(const Case& input, const CaseSection& section) {
@@ -152,27 +180,24 @@ std::string section_text(const Case& input, const CaseSection& section) {
 }  // namespace
 
 CaseFileError::CaseFileError(std::string file, int line, std::string key, const std::string& complaint)
-    : InputError(message(file, line, key, complaint)), file_(std::move(file)), line_(line), key_(std::move(key)) {}
+    : InputError(message(file, line, key, complaint)),
+      file_(std::move(file)),
+      line_(line),
+      key_(std::move(key)),
+      complaint_(complaint) {}
 
 Case parse_case(std::string_view text, const std::string& file) {
-  check_is_text(text, file);
-  Reading reading{.file = file, .entries = {}};
+  Reading reading = read_all(text, file);
+  if (!reading.mistakes.empty()) throw CaseFileError(reading.mistakes.front());
+  return std::move(reading.result);
+}
+
+std::vector<CaseFileError> mistakes_in(std::string_view text, const std::string& file) {
   try {
-    reading.entries = toml_entries(text);
-  } catch (const TomlSyntaxError& error) {
-    throw CaseFileError(file, error.line(), {}, error.what());
+    return read_all(text, file).mistakes;
+  } catch (const CaseFileError& error) {
+    return {error};
   }
-  for (const TomlEntry& entry : reading.entries) {
-    if (std::holds_alternative<TomlSection>(entry.value)) {
-      check_section(reading, entry);
-    } else {
-      take_value(reading, entry);
-    }
-  }
-  check_nothing_missing(reading);
-  if (find_entry(reading.entries, "output.frames_at") == nullptr) cut_frames_to_test(reading.result);
-  check_rules(reading);
-  return reading.result;
 }
 
 std::string case_file_text(const std::filesystem::path& path) {

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "base/errors.h"
 #include "model/case.h"
@@ -15,6 +16,7 @@ class CaseFileError : public InputError {
   CaseFileError(std::string file, int line, std::string key, const std::string& complaint);
 
   [[nodiscard]] const std::string& file() const { return file_; }
+  [[nodiscard]] const std::string& complaint() const { return complaint_; }  ///< without file, line and key
   [[nodiscard]] int line() const { return line_; }               ///< counted from 1; 0: the mistake is in no line
   [[nodiscard]] const std::string& key() const { return key_; }  ///< "loop.height"; empty: it belongs to no key
 
@@ -22,6 +24,7 @@ class CaseFileError : public InputError {
   std::string file_;
   int line_;
   std::string key_;
+  std::string complaint_;
 };
 
 /// A case file [TOML], with all defaults filled in and every value checked by itself and against the others.
@@ -37,6 +40,10 @@ class CaseFileError : public InputError {
 
 /// The same from the text of a case file. @param file its name, for messages
 [[nodiscard]] Case parse_case(std::string_view text, const std::string& file);
+
+/// All mistakes in the text of a case file that can be told side by side: those of single lines in their order, then
+/// what is missing; only without these the first rule between parameters that is broken. Empty: parse_case() reads it.
+[[nodiscard]] std::vector<CaseFileError> mistakes_in(std::string_view text, const std::string& file);
 
 /// The text of a complete case file: every parameter that has a value, with its meaning. parse_case() of it gives a
 /// case with the same bits.

@@ -12,16 +12,6 @@
 namespace knitmech::model {
 namespace {
 
-std::string quoted_toml(std::string_view text) {
-  std::string result = "\"";
-  for (const char letter : text) {
-    if (letter == '"' || letter == '\\') result += '\\';
-    const bool control = static_cast<unsigned char>(letter) < ' ';
-    result += control ? fmt::format("\\u{:04x}", static_cast<unsigned>(letter)) : std::string(1, letter);
-  }
-  return result + "\"";
-}
-
 /// Young's modulus and Poisson's ratio are optional to the reader, but one way of giving the yarn must be active.
 bool is_active_in_template(const Parameter& parameter) {
   return parameter.need == Need::required || parameter.key == "yarn.youngs_modulus" ||
@@ -118,13 +108,23 @@ std::string template_line(const Parameter& parameter) {
 
 }  // namespace
 
+std::string toml_string(std::string_view text) {
+  std::string result = "\"";
+  for (const char letter : text) {
+    if (letter == '"' || letter == '\\') result += '\\';
+    const bool control = static_cast<unsigned char>(letter) < ' ' || letter == 0x7F;
+    result += control ? fmt::format("\\u{:04x}", static_cast<unsigned>(letter)) : std::string(1, letter);
+  }
+  return result + "\"";
+}
+
 std::string toml_text(const Parameter& parameter, const Value& value) {
   if (std::holds_alternative<std::monostate>(value)) return "\"auto\"";
-  if (const auto* text = std::get_if<std::string>(&value)) return quoted_toml(*text);
+  if (const auto* text = std::get_if<std::string>(&value)) return toml_string(*text);
   if (const auto* whole = std::get_if<int>(&value)) return fmt::format("{}", *whole);
   const auto written = [&](double number) {
     const std::string text = base::format_quantity(number, parameter.dimension);
-    return parameter.dimension == base::Dimension::number ? text : quoted_toml(text);
+    return parameter.dimension == base::Dimension::number ? text : toml_string(text);
   };
   const auto* numbers = std::get_if<std::vector<double>>(&value);
   if (numbers == nullptr) return written(std::get<double>(value));

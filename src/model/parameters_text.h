@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "model/parameters.h"
 
@@ -8,6 +9,9 @@ namespace knitmech::model {
 
 /// A value as it is written in a case file: "7 mm" with its quotes, 0.1, [0.08, 0.16].
 [[nodiscard]] std::string toml_text(const Parameter& parameter, const Value& value);
+
+/// Any text as a TOML string, in double quotes.
+[[nodiscard]] std::string toml_string(std::string_view text);
 
 /// `height = "7 mm"`: for messages and case files.
 [[nodiscard]] std::string assignment(const Parameter& parameter, const Value& value);

@@ -135,16 +135,38 @@ Placed placed(std::string key, const toml::key& where, TomlValue value) {
   return {place, {std::move(key), static_cast<int>(place.line), std::move(value)}};
 }
 
+bool begins_letter(char byte) {
+  return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U;
+}
+
+/// The byte at a place; its column counts letters, not bytes.
+std::size_t offset_of(toml::source_position place, std::string_view text) {
+  std::size_t offset = 0;
+  for (toml::source_index line = 1; line < place.line; ++line) {
+    const auto end = text.find('\n', offset);
+    if (end == std::string_view::npos) return text.size();
+    offset = end + 1;
+  }
+  for (toml::source_index column = 1; column < place.column && offset < text.size(); ++column) {
+    do ++offset;
+    while (offset < text.size() && !begins_letter(text[offset]));
+  }
+  return offset;
+}
+
 /// The entries of a table. \param prefix of its keys, "loop.", empty at the top. \param depth of sections below it
-void collect(const toml::table& table, const std::string& prefix, int depth, std::vector<Placed>& found) {
+void collect(const toml::table& table, std::string_view text, const std::string& prefix, int depth,
+             std::vector<Placed>& found) {
   for (const auto& [key, node] : table) {
     const std::string name = prefix + unambiguous(key.str());
     const auto* section = depth > 0 ? node.as_table() : nullptr;
     if (section == nullptr) {
       found.push_back(placed(name, key, value_of(node)));
+      found.back().entry.begin = offset_of(node.source().begin, text);
+      found.back().entry.end = offset_of(node.source().end, text);
     } else {
       found.push_back(placed(name, key, TomlSection{}));
-      collect(*section, name + ".", depth - 1, found);
+      collect(*section, text, name + ".", depth - 1, found);
     }
   }
 }
@@ -154,7 +176,7 @@ void collect(const toml::table& table, const std::string& prefix, int depth, std
 std::vector<TomlEntry> toml_entries(std::string_view text, int depth) {
   check_line_lengths(text);
   std::vector<Placed> found;
-  collect(parsed(text), "", depth, found);
+  collect(parsed(text), text, "", depth, found);
   std::ranges::stable_sort(found, std::less<>(), &Placed::place);
   std::vector<TomlEntry> entries;
   entries.reserve(found.size());

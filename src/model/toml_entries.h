@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -28,6 +29,7 @@ struct TomlEntry {
   std::string key;  ///< "loop.height", of a section "loop"
   int line = 0;     ///< counted from 1
   TomlValue value;
+  std::size_t begin = 0, end = 0;  ///< place of the value in the text [bytes], the end excluded; of a section 0
 };
 
 /// A text that is not TOML: what is wrong and in which line (0: not known).
