@@ -6,13 +6,13 @@
 #include <system_error>
 
 #include "app/commands.h"
-#include "app/picture_words.h"
 #include "app/render_film.h"
 #include "app/run_texts.h"
 #include "base/errors.h"
 #include "base/text.h"
 #include "picture/contact_map.h"
 #include "picture/fabric_picture.h"
+#include "picture/picture_words.h"
 #include "picture/side_profile.h"
 #include "results/atomic_file.h"
 #include "results/read_frame.h"
@@ -50,8 +50,8 @@ std::pair<double, double> range_of_all(const StoredRun& run, ColourBy colour_by)
 
 PictureOptions picture_options(const StoredRun& run, const RenderOptions& options) {
   PictureOptions picture;
-  picture.colour_by = colour_by_word(options.colour);
-  picture.view = view_by_word(options.view);
+  picture.colour_by = knitmech::picture::colour_by_word(options.colour);
+  picture.view = knitmech::picture::view_by_word(options.view);
   picture.width = options.width;
   if (options.height) picture.height = *options.height;
   if (!options.window.empty()) {

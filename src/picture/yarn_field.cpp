@@ -1,5 +1,7 @@
 #include "picture/yarn_field.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <tuple>
@@ -39,8 +41,8 @@ std::vector<double> in_percent(std::vector<double> values) {
   return values;
 }
 
-/// Label and values of a field; without a range.
-std::optional<YarnField> field_without_range(ColourBy colour_by, const model::Model& model, const model::Frame& frame) {
+/// Values of a field; empty for plain and course.
+std::vector<double> field_values(ColourBy colour_by, const model::Model& model, const model::Frame& frame) {
   const auto at_nodes = [&](const std::vector<double>& element_values) {
     return results::average_to_nodes(model, frame.broken, element_values);
   };
@@ -49,26 +51,51 @@ std::optional<YarnField> field_without_range(ColourBy colour_by, const model::Mo
     case ColourBy::course:
       break;
     case ColourBy::contact_force:
-      return YarnField{"Contact force [N]", magnitudes(frame.contact_force)};
+      return magnitudes(frame.contact_force);
     case ColourBy::curvature:
-      return YarnField{"Curvature change [1/mm]", at_nodes(frame.curvature)};
+      return at_nodes(frame.curvature);
     case ColourBy::axial_force:
-      return YarnField{"Axial force [N]", at_nodes(frame.axial_force)};
+      return at_nodes(frame.axial_force);
     case ColourBy::axial_strain:
-      return YarnField{"Axial strain [%]", in_percent(at_nodes(frame.axial_strain))};
+      return in_percent(at_nodes(frame.axial_strain));
     case ColourBy::shear_force:
-      return YarnField{"Shear force [N]", at_nodes(frame.shear_force)};
+      return at_nodes(frame.shear_force);
     case ColourBy::bending_moment:
-      return YarnField{"Bending moment [N mm]", at_nodes(frame.bending_moment)};
+      return at_nodes(frame.bending_moment);
     case ColourBy::torque:
-      return YarnField{"Torque [N mm]", at_nodes(frame.torque)};
+      return at_nodes(frame.torque);
     case ColourBy::out_of_plane:
-      return YarnField{"Out of plane [mm]", z_of(frame.points)};
+      return z_of(frame.points);
   }
-  return std::nullopt;
+  return {};
 }
 
 }  // namespace
+
+FieldName field_name(ColourBy colour_by) {
+  switch (colour_by) {
+    case ColourBy::plain:
+    case ColourBy::course:
+      break;
+    case ColourBy::contact_force:
+      return {"Contact force", "N"};
+    case ColourBy::curvature:
+      return {"Curvature change", "1/mm"};
+    case ColourBy::axial_force:
+      return {"Axial force", "N"};
+    case ColourBy::axial_strain:
+      return {"Axial strain", "%"};
+    case ColourBy::shear_force:
+      return {"Shear force", "N"};
+    case ColourBy::bending_moment:
+      return {"Bending moment", "N mm"};
+    case ColourBy::torque:
+      return {"Torque", "N mm"};
+    case ColourBy::out_of_plane:
+      return {"Out of plane", "mm"};
+  }
+  return {"", ""};
+}
 
 void ValueRange::include(const YarnField& field) {
   for (const double value : field.values) {
@@ -88,11 +115,12 @@ std::pair<double, double> round_range(ColourBy colour_by, const ValueRange& valu
 
 std::optional<YarnField> yarn_field(ColourBy colour_by, const model::Model& model, const model::Frame& frame,
                                     const std::optional<std::pair<double, double>>& range) {
-  std::optional<YarnField> field = field_without_range(colour_by, model, frame);
-  if (!field) return std::nullopt;
+  if (colour_by == ColourBy::plain || colour_by == ColourBy::course) return std::nullopt;
+  const FieldName name = field_name(colour_by);
+  YarnField field{fmt::format("{} [{}]", name.name, name.unit), field_values(colour_by, model, frame)};
   ValueRange values;
-  values.include(*field);
-  std::tie(field->lowest, field->highest) = range ? *range : round_range(colour_by, values);
+  values.include(field);
+  std::tie(field.lowest, field.highest) = range ? *range : round_range(colour_by, values);
   return field;
 }
 

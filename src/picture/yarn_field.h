@@ -25,6 +25,13 @@ enum class ColourBy {
   out_of_plane     ///< position along z [mm]
 };
 
+/// What the quantity of a colouring is called, and its unit: "Axial force" and "N". Both empty for plain and course.
+struct FieldName {
+  const char* name;
+  const char* unit;
+};
+[[nodiscard]] FieldName field_name(ColourBy colour_by);
+
 /// A quantity at the nodes, ready to be shown in colours.
 struct YarnField {
   std::string label;           ///< with unit, as in "Axial force [N]"

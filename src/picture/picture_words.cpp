@@ -1,4 +1,4 @@
-#include "app/picture_words.h"
+#include "picture/picture_words.h"
 
 #include <fmt/format.h>
 
@@ -9,11 +9,8 @@
 #include "base/errors.h"
 #include "base/text.h"
 
-namespace knitmech::app {
+namespace knitmech::picture {
 namespace {
-
-using picture::ColourBy;
-using picture::View;
 
 constexpr std::array<std::pair<std::string_view, ColourBy>, 10> kColours{{{"plain", ColourBy::plain},
                                                                           {"course", ColourBy::course},
@@ -55,4 +52,4 @@ View view_by_word(std::string_view word) {
   return meaning(kViews, word, "view");
 }
 
-}  // namespace knitmech::app
+}  // namespace knitmech::picture

@@ -5,12 +5,12 @@
 #include "picture/camera.h"
 #include "picture/yarn_field.h"
 
-namespace knitmech::app {
+namespace knitmech::picture {
 
 /// What the words of the command line mean: "contact", "bending-moment", ...; "front", "oblique", ...
 ///
 /// Both throw InputError with the word that was probably meant, or all of them.
-[[nodiscard]] picture::ColourBy colour_by_word(std::string_view word);
-[[nodiscard]] picture::View view_by_word(std::string_view word);
+[[nodiscard]] ColourBy colour_by_word(std::string_view word);
+[[nodiscard]] View view_by_word(std::string_view word);
 
-}  // namespace knitmech::app
+}  // namespace knitmech::picture
