@@ -1,8 +1,5 @@
 #include "run/load_case.h"
 
-#include <string>
-#include <string_view>
-
 #include "model/build_model.h"
 #include "model/case_file.h"
 #include "model/parameters.h"
@@ -27,13 +24,16 @@ std::string first_key_in(std::string_view message) {
 }  // namespace
 
 LoadedCase load_case(const std::filesystem::path& path) {
-  const std::string text = model::case_file_text(path);
-  LoadedCase loaded{.input = model::parse_case(text, path.string()), .model = {}};
+  return load_case_text(model::case_file_text(path), path.string());
+}
+
+LoadedCase load_case_text(std::string_view text, const std::string& name) {
+  LoadedCase loaded{.input = model::parse_case(text, name), .model = {}};
   try {
     loaded.model = model::build_model(loaded.input);
   } catch (const InputError& error) {
     const std::string key = first_key_in(error.what());
-    throw model::CaseFileError(path.string(), key.empty() ? 0 : model::line_of_key(text, key), key, error.what());
+    throw model::CaseFileError(name, key.empty() ? 0 : model::line_of_key(text, key), key, error.what());
   }
   return loaded;
 }

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <string_view>
 
 #include "model/case.h"
 #include "model/model.h"
@@ -18,5 +20,8 @@ struct LoadedCase {
 /// @throws model::CaseFileError for wrong input; a geometry that cannot be is reported with file, line and key as well
 /// @throws FileError if the file cannot be read
 [[nodiscard]] LoadedCase load_case(const std::filesystem::path& path);
+
+/// The same from the text of a case file. \param name of the file, for messages
+[[nodiscard]] LoadedCase load_case_text(std::string_view text, const std::string& name);
 
 }  // namespace knitmech::run

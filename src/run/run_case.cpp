@@ -31,6 +31,8 @@ model::RunOutcome simulate_into(results::RunFolder& folder, RunPictures& picture
     folder.add_frame(std::move(frame));
   };
   callbacks.keep_going = [&](const model::HistoryRow&) { return !listener.keep_going || listener.keep_going(); };
+  callbacks.wants_view = listener.wants_view;
+  callbacks.on_view = listener.on_view;
   callbacks.wants_checkpoint = [&] { return writer.is_due(); };
   callbacks.on_checkpoint = [&](const std::string& solver) {
     writer.write({start.case_text, folder.record(), solver}, [&folder, draw = pictures.take_drawing()] {

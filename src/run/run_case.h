@@ -18,10 +18,13 @@ struct RunSettings {
   bool pictures = true;                  ///< of the frames and of the curve
 };
 
-/// Who listens to a run, and may end it. Both are called on the thread of the run and may be empty.
+/// Who listens to a run, and may end it. All are called on the thread of the run and may be empty.
 struct RunListener {
   std::function<void(const model::HistoryRow&)> on_history{};
-  std::function<bool()> keep_going{};  ///< false ends the run, which can be gone on with later
+  /// False ends the run, which can be gone on with later. The run pauses as long as this blocks.
+  std::function<bool()> keep_going{};
+  std::function<bool()> wants_view{};           ///< see solve::SimulationCallbacks
+  std::function<void(model::Frame)> on_view{};  ///< of the present state; none of the stored frames
 };
 
 /// How a run ended.

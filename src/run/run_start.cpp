@@ -44,13 +44,16 @@ std::optional<double> RunStart::resumed_at() const {
 }
 
 RunStart new_run(const fs::path& case_file, const fs::path& folder) {
-  LoadedCase loaded = load_case(case_file);
+  return new_run(load_case(case_file), folder.empty() ? default_folder(case_file) : folder);
+}
+
+RunStart new_run(LoadedCase loaded, const fs::path& folder) {
   std::string text = model::write_case(loaded.input);
-  return {std::move(loaded), std::move(text), folder.empty() ? default_folder(case_file) : folder, {}};
+  return {std::move(loaded), std::move(text), folder, {}};
 }
 
 RunStart run_of(const model::Case& input, const fs::path& folder) {
-  return {{.input = input, .model = model::build_model(input)}, model::write_case(input), folder, {}};
+  return new_run({.input = input, .model = model::build_model(input)}, folder);
 }
 
 RunStart earlier_run(const fs::path& folder) {

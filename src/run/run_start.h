@@ -27,6 +27,9 @@ struct RunStart {
 /// A new run. \param folder for the results; empty: results/ and the name of the case
 [[nodiscard]] RunStart new_run(const std::filesystem::path& case_file, const std::filesystem::path& folder);
 
+/// A new run of a case that is loaded.
+[[nodiscard]] RunStart new_run(LoadedCase loaded, const std::filesystem::path& folder);
+
 /// A new run of a case that stands in no file. @throws InputError for a geometry that cannot be
 [[nodiscard]] RunStart run_of(const model::Case& input, const std::filesystem::path& folder);
 
