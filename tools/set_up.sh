@@ -16,19 +16,22 @@ quietly() {
   "$@" >"$log" 2>&1 </dev/null || { cat -- "$log" >&2; fail "This command failed, its output is above: $*"; }
 }
 
-# Fills the array `missing` with the packages that packages.txt names and that are not installed.
+# Fills the array `missing` with the packages that packages.txt names and that are neither installed nor provided by an
+# installed one: Node.js from another source than Debian brings its own npm.
 find_missing_packages() {
-  local native package architecture status rest
-  declare -A is_installed=()
+  local native package architecture status provided rest
+  declare -A is_there=()
   native=$(dpkg --print-architecture)
-  while read -r package architecture status; do
-    if [[ $status == installed && ($architecture == "$native" || $architecture == all) ]]; then
-      is_installed[$package]=yes
-    fi
-  done < <(dpkg-query --show --showformat '${Package} ${Architecture} ${db:Status-Status}\n')
+  while read -r package architecture status provided; do
+    [[ $status == installed && ($architecture == "$native" || $architecture == all) ]] || continue
+    is_there[$package]=yes
+    for package in ${provided//,/ }; do  # names, some with a version: perl-base, libnet-perl (= 1:3.13)
+      [[ $package == *[\(\)]* ]] || is_there[$package]=yes
+    done
+  done < <(dpkg-query --show --showformat '${Package} ${Architecture} ${db:Status-Status} ${Provides}\n')
   missing=()
   while read -r package rest; do
-    [[ -z $package || $package == '#'* || -n ${is_installed[$package]:-} ]] || missing+=("$package")
+    [[ -z $package || $package == '#'* || -n ${is_there[$package]:-} ]] || missing+=("$package")
   done <packages.txt
 }
 
