@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -19,5 +20,9 @@ struct FrameEntry {
 /// ParaView's collection file (frames.pvd, contacts.pvd), which lists a file per frame with the strain [-] in the place
 /// of the time. file_name gives the file of a frame: frame_file_name() or contact_points_file_name().
 [[nodiscard]] std::string collection_text(const std::vector<FrameEntry>& entries, std::string (*file_name)(int index));
+
+/// Reads back the frames.pvd that collection_text() made. Throws FileError if it cannot be read, InputError if it is
+/// damaged or something else.
+[[nodiscard]] std::vector<FrameEntry> read_frames_collection(const std::filesystem::path& path);
 
 }  // namespace knitmech::results

@@ -1,6 +1,6 @@
 #include "results/history_file.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <string_view>
 
@@ -38,12 +38,30 @@ HistoryRow parse_row(std::string_view line, const std::vector<std::string_view>&
 
 }  // namespace
 
+std::array<double, kHistoryColumns> history_values(const HistoryRow& row) {
+  return {row.time,
+          row.displacement,
+          row.strain,
+          row.force_top,
+          row.force_bottom,
+          row.external_work,
+          row.internal_energy,
+          row.stretch_energy,
+          row.kinetic_energy,
+          row.contact_energy,
+          row.friction_loss,
+          row.damping_loss,
+          row.break_loss,
+          row.width,
+          static_cast<double>(row.contacts),
+          row.normal_force,
+          row.largest_elastic_slip,
+          row.largest_penetration,
+          row.step};
+}
+
 std::string history_line(const HistoryRow& row) {
-  return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", row.time, row.displacement,
-                     row.strain, row.force_top, row.force_bottom, row.external_work, row.internal_energy,
-                     row.stretch_energy, row.kinetic_energy, row.contact_energy, row.friction_loss, row.damping_loss,
-                     row.break_loss, row.width, row.contacts, row.normal_force, row.largest_elastic_slip,
-                     row.largest_penetration, row.step);
+  return fmt::format("{}\n", fmt::join(history_values(row), ","));
 }
 
 std::vector<HistoryRow> read_history(const std::filesystem::path& path) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -17,6 +19,11 @@ inline constexpr const char* kHistoryHeader =
     "kinetic_energy_mJ,"
     "contact_energy_mJ,friction_loss_mJ,damping_loss_mJ,break_loss_mJ,width_mm,contacts,contact_normal_force_N,"
     "largest_elastic_slip_mm,largest_penetration_mm,step_s";
+
+inline constexpr std::size_t kHistoryColumns = 19;
+
+/// The numbers of a row in the order of kHistoryHeader.
+[[nodiscard]] std::array<double, kHistoryColumns> history_values(const model::HistoryRow& row);
 
 /// One line of history.csv with its line end. Numbers are as short as they can be and still read back to the same bits.
 [[nodiscard]] std::string history_line(const model::HistoryRow& row);

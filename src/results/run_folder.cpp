@@ -129,6 +129,7 @@ RunFolder::RunFolder(fs::path dir, const std::string& case_toml, const model::Mo
   try {
     refuse_foreign_folder(dir_);
     fs::create_directories(dir_);
+    lock_.emplace(dir_);
     // A checkpoint of the older run must not outlive what it belongs to.
     remove_own(dir_ / kCheckpointFile);
     // The summary goes first: it marks the folder as ours even if the program is killed before the next file.
@@ -148,6 +149,7 @@ RunFolder::RunFolder(fs::path dir, RunRecord record, const model::Model& model)
       model_(model),
       record_(std::move(record)),
       history_text_(std::string{kHistoryHeader} + "\n") {
+  lock_.emplace(dir_);
   for (const model::HistoryRow& row : record_.history) history_text_ += history_line(row);
   write_file_atomically(dir_ / kSummaryFile, running_summary(model_));
   try {

@@ -2,12 +2,14 @@
 
 #include <chrono>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "model/frame.h"
 #include "model/model.h"
 #include "model/run_outcome.h"
+#include "results/folder_lock.h"
 #include "results/history_file.h"
 #include "results/run_record.h"
 #include "results/write_queue.h"
@@ -38,8 +40,8 @@ class RunFolder {
   /// Makes the folder, with its parents, or takes over the folder of an older run, from which the files listed above
   /// are removed and nothing else.
   ///
-  /// Throws InputError, without touching anything, if dir is a file, or a folder with something in it that is not a
-  /// KnitMech run folder (recognised by its summary.json).
+  /// Throws InputError, without touching anything, if dir is a file, a folder with something in it that is not a
+  /// KnitMech run folder (recognised by its summary.json), or that of a run under way (FolderLock).
   /// \param model must outlive the run folder and stay as it is: large models are not copied
   RunFolder(std::filesystem::path dir, const std::string& case_toml, const model::Model& model);
   RunFolder(std::filesystem::path dir, const std::string& case_toml, model::Model&& model) = delete;
@@ -76,6 +78,7 @@ class RunFolder {
   void write_collections(const std::vector<FrameEntry>& frames) const;
 
   std::filesystem::path dir_;
+  std::optional<FolderLock> lock_;
   const model::Model& model_;
   RunRecord record_;
   std::string history_text_;

@@ -193,6 +193,8 @@ RunSummary summary_in(const Block& top) {
   summary.advice = top.text("advice");
   summary.model = model_in(top.block("model"));
   read_solver(top.block("solver"), summary);
+  summary.history_rows = top.block("output").whole("history_rows");
+  summary.n_frames = top.block("output").whole("frames");
   summary.strain = top.block("final").number("strain");
   const Block largest = top.block("largest");
   summary.largest_penetration = largest.number("penetration_mm");

@@ -61,6 +61,7 @@ struct RunSummary {
   std::optional<double> wall_seconds;         ///< [s], real time in the solver
   std::optional<double> element_steps_per_s;  ///< [1/s]
 
+  std::optional<long> history_rows, n_frames;
   std::optional<double> strain;               ///< [-], reached
   std::optional<double> largest_penetration;  ///< [mm]
   std::optional<double> tie_stretch;          ///< [mm]; empty also without ties

@@ -136,6 +136,8 @@ class Run {
   }
 
  private:
+  using Clock = std::chrono::steady_clock;
+
   void begin() {
     outcome_.mass_scaling = mass_scaling_;
     outcome_.smallest_step = solver_.first_step();
@@ -143,7 +145,7 @@ class Run {
   }
 
   [[nodiscard]] double seconds() const {
-    return seconds_before_ + std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    return seconds_before_ + std::chrono::duration<double>(Clock::now() - start_).count();
   }
 
   void report(bool with_frame) {
@@ -196,8 +198,27 @@ class Run {
     return true;
   }
 
+  void show_if_wanted() const {
+    if (!callbacks_.on_view || !callbacks_.wants_view || !callbacks_.wants_view()) return;
+    model::HistoryRow row = progress_.latest;
+    row.time = solver_.time();
+    row.displacement = solver_.displacement();
+    row.strain = solver_.strain();
+    constexpr int kNoStoredFrame = -1;
+    callbacks_.on_view(solver_.frame(kNoStoredFrame, row));
+  }
+
+  bool keeps_going() {
+    if (!callbacks_.keep_going) return true;
+    const auto asked = Clock::now();
+    const bool goes_on = callbacks_.keep_going(progress_.latest);
+    start_ += Clock::now() - asked;
+    return goes_on;
+  }
+
   bool ask_whether_to_go_on() {
-    const bool goes_on = !callbacks_.keep_going || callbacks_.keep_going(progress_.latest);
+    show_if_wanted();
+    const bool goes_on = keeps_going();
     const bool is_wanted = !goes_on || (callbacks_.wants_checkpoint && callbacks_.wants_checkpoint());
     if (is_wanted && callbacks_.on_checkpoint) {
       outcome_.wall_seconds = seconds();
@@ -215,8 +236,8 @@ class Run {
   ExplicitSolver solver_;
   RunProgress progress_;
   model::RunOutcome& outcome_ = progress_.outcome;
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-  double seconds_before_ = 0;  ///< [s], in the solver, of the run that this one goes on with
+  Clock::time_point start_ = Clock::now();  ///< later by the time that the run has paused
+  double seconds_before_ = 0;               ///< [s], in the solver, of the run that this one goes on with
 };
 
 }  // namespace

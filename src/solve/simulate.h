@@ -31,11 +31,18 @@ struct SimulationSettings {
 struct SimulationCallbacks {
   std::function<void(const model::HistoryRow&)>
       on_history;  ///< settings.history_points times, evenly over strain, and with each frame
-  std::function<void(model::Frame)> on_frame;                       ///< at the start, at settings.frames_at, at the end
-  std::function<bool(const model::HistoryRow& latest)> keep_going;  ///< asked every few dozen steps; false interrupts
-  std::function<bool()> wants_checkpoint = {};                      ///< asked as often as keep_going
+  std::function<void(model::Frame)> on_frame;  ///< at the start, at settings.frames_at, at the end
+  /// Asked every few dozen steps; false interrupts. It may block, and the run pauses; that time does not count as time
+  /// in the solver.
+  std::function<bool(const model::HistoryRow& latest)> keep_going;
+  std::function<bool()> wants_checkpoint = {};  ///< asked as often as keep_going
   /// With all that the run remembers, where one is wanted and when the run is interrupted.
   std::function<void(const std::string&)> on_checkpoint = {};
+  std::function<bool()> wants_view = {};  ///< asked as often as keep_going, and before it
+  /// Where one is wanted, the present state for someone who watches: a frame with index -1 that counts as none, and
+  /// whose forces are those of the last step. Of its history row only time, displacement and strain are of the present;
+  /// the rest is of the latest row. Whether anyone watches changes no number of the run.
+  std::function<void(model::Frame)> on_view = {};
 };
 
 /// Runs the tensile test of a model by explicit dynamics (docs/theory.md).

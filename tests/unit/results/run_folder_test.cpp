@@ -58,8 +58,10 @@ model::HistoryRow row_at(double strain) {
 TEST_F(RunFolderTest, SaysByHowMuchTiesGaveWayInMillimetresAndDiametersIfThereAreAny) {
   model::RunOutcome outcome;
   outcome.largest_tie_stretch = 0.003;
-  RunFolder without_ties(dir_, "", model_);
-  without_ties.finish(outcome);
+  {
+    RunFolder without_ties(dir_, "", model_);
+    without_ties.finish(outcome);
+  }
   EXPECT_TRUE(summary().at("largest").at("tie_stretch_mm").is_null());
   EXPECT_TRUE(summary().at("largest").at("tie_stretch_ratio").is_null());
 
@@ -69,6 +71,18 @@ TEST_F(RunFolderTest, SaysByHowMuchTiesGaveWayInMillimetresAndDiametersIfThereAr
   with_ties.finish(outcome);
   EXPECT_EQ(summary().at("largest").at("tie_stretch_mm"), 0.003);
   EXPECT_NEAR(summary().at("largest").at("tie_stretch_ratio").get<double>(), 0.003 / 0.12, 1e-15);
+}
+
+TEST_F(RunFolderTest, IsTakenByNoOtherRunWhileOneWritesIt) {
+  {
+    RunFolder first(dir_, "[loop]", model_);
+    EXPECT_TRUE(may_be_written(dir_));
+    EXPECT_THAT([&] { RunFolder(dir_, "[other]", model_); },
+                ThrowsMessage<InputError>(HasSubstr("the folder of a run under way")));
+    EXPECT_EQ(read_file(dir_ / "case.toml"), "[loop]");
+  }
+  EXPECT_FALSE(may_be_written(dir_));
+  EXPECT_NO_THROW(RunFolder(dir_, "[other]", model_));
 }
 
 TEST_F(RunFolderTest, HoldsTheFilesOfARun) {

@@ -73,12 +73,13 @@ struct Heard {
   std::vector<std::string> rows, frames;
   std::vector<std::string> checkpoints;
   std::vector<std::size_t> rows_at, frames_at;  ///< of each checkpoint, how many there were
+  int views = 0;
   model::RunOutcome outcome;
 };
 
-/// \param every rows between two checkpoints; 0: none
+/// \param every rows between two checkpoints; 0: none \param is_watched at every chance
 Heard run(const model::Model& model, const solve::SimulationSettings& settings, std::size_t every,
-          const std::string& from = {}) {
+          const std::string& from = {}, bool is_watched = false) {
   Heard heard;
   std::size_t last = 0;
   solve::SimulationCallbacks callbacks;
@@ -93,6 +94,8 @@ Heard run(const model::Model& model, const solve::SimulationSettings& settings, 
     heard.rows_at.push_back(heard.rows.size());
     heard.frames_at.push_back(heard.frames.size());
   };
+  callbacks.wants_view = [&] { return is_watched; };
+  callbacks.on_view = [&](const model::Frame&) { ++heard.views; };
   heard.outcome = solve::simulate(model, settings, callbacks, from);
   return heard;
 }
@@ -149,6 +152,22 @@ TEST_P(CheckpointOf, ARun_GivenThatItGoesOnFromThere_OnAnyNumberOfThreads_ThenEv
     expect_same_outcome(resumed.outcome, whole.outcome);
     EXPECT_GT(resumed.outcome.wall_seconds, 0);
   }
+}
+
+TEST_P(CheckpointOf, ARun_GivenThatSomeoneWatchesIt_AndItGoesOn_ThenEveryRowAndFrameIsTheSameToTheLastBit) {
+  const model::Model model = model_of(GetParam());
+  const solve::SimulationSettings settings = settings_of(GetParam());
+  const Heard whole = run(model, settings, 0);
+  const Heard watched = run(model, settings, 15, {}, true);
+  EXPECT_EQ(whole.views, 0);
+  EXPECT_GT(watched.views, 20);
+  EXPECT_EQ(watched.rows, whole.rows);
+  EXPECT_EQ(watched.frames, whole.frames);
+  expect_same_outcome(watched.outcome, whole.outcome);
+  ASSERT_FALSE(watched.checkpoints.empty());
+  const Heard resumed = run(model, settings, 0, watched.checkpoints.front(), true);
+  EXPECT_EQ(resumed.rows, after(whole.rows, watched.rows_at.front()));
+  EXPECT_EQ(resumed.frames, after(whole.frames, watched.frames_at.front()));
 }
 
 TEST_P(CheckpointOf, ASolver_GivenThatAnotherOneGoesOnFromThere_ThenAllThatBothRememberStaysTheSame) {

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <thread>
+#include <utility>
 #include <vector>
 
 #include "../../support/pulled_yarn.h"
@@ -86,6 +89,47 @@ TEST(Simulate, GivenACallerWhoSaysStop_ThenTheRunEndsCleanlyWithALastFrame) {
   EXPECT_LT(outcome.strain, 0.05);
   EXPECT_EQ(heard.frames.size(), 2U);
   EXPECT_EQ(heard.rows.back().strain, outcome.strain);
+}
+
+TEST(Simulate, GivenSomeoneWhoWatches_ThenTheyGetThePresentStateBesideTheFrames) {
+  Heard heard;
+  std::vector<model::Frame> views;
+  heard.callbacks.wants_view = [&] { return views.size() < 5; };
+  heard.callbacks.on_view = [&](model::Frame frame) { views.push_back(std::move(frame)); };
+  const model::Model model = straight_yarn(0.01);
+  static_cast<void>(solve::simulate(model, settings(4, {}), heard.callbacks));
+  ASSERT_EQ(views.size(), 5U);
+  EXPECT_EQ(heard.frames.size(), 2U);
+  EXPECT_EQ(heard.frames.back().index, 1);
+  for (const model::Frame& view : views) {
+    EXPECT_EQ(view.index, -1);
+    // Reference: the way that the grip has gone.
+    const double way = view.points[10].y() - model.nodes[10].y();
+    EXPECT_GT(way, 0);
+    EXPECT_NEAR(view.history.displacement, way, 1e-9);
+    EXPECT_NEAR(view.history.strain, way / kLength, 1e-10);
+    EXPECT_GT(view.history.time, 0);
+  }
+  EXPECT_LT(views.back().history.strain, heard.rows[1].strain);
+}
+
+TEST(Simulate, GivenACallerWhoWaitsBeforeTheyAnswer_ThenThatIsNoTimeInTheSolver) {
+  using Clock = std::chrono::steady_clock;
+  Heard heard;
+  Clock::duration waited{};
+  heard.callbacks.keep_going = [&](const model::HistoryRow&) {
+    const auto start = Clock::now();
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    waited += Clock::now() - start;
+    return true;
+  };
+  const auto start = Clock::now();
+  const model::RunOutcome outcome = solve::simulate(straight_yarn(0.01), settings(4, {}), heard.callbacks);
+  const std::chrono::duration<double> rest = Clock::now() - start - waited;
+  EXPECT_EQ(outcome.status, model::RunStatus::completed);
+  EXPECT_GT(waited, std::chrono::milliseconds(1));
+  EXPECT_GT(outcome.wall_seconds, 0);
+  EXPECT_LE(outcome.wall_seconds, rest.count());
 }
 
 TEST(Simulate, GivenAnUnstableStep_ThenTheRunFailsWithWhenAndWhatToTryAndKeepsWhatWasComputed) {
