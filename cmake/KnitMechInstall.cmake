@@ -1,5 +1,6 @@
 # cmake --install puts the program into bin, the libraries into lib, the headers into include/knitmech, and a CMake package
-# beside the libraries: find_package(KnitMech) gives knitmech::knit, knitmech::solve and the other folders of src/.
+# beside the libraries: find_package(KnitMech) gives knitmech::knit, knitmech::solve and the other folders of src/, but not
+# app and serve, which are the program itself.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/KnitMech)
@@ -13,11 +14,11 @@ foreach(folder ${folders})
     get_target_property(type ${target} TYPE)
     if(type STREQUAL EXECUTABLE)
       install(TARGETS ${target} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-    elseif(type MATCHES "LIBRARY$" AND NOT name STREQUAL app)
+    elseif(type MATCHES "LIBRARY$" AND NOT name MATCHES "^(app|serve)$")
       install(TARGETS ${target} EXPORT KnitMechLibraries ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
     endif()
   endforeach()
-  if(NOT name STREQUAL app)
+  if(NOT name MATCHES "^(app|serve)$")
     install(DIRECTORY ${folder}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/knitmech/${name} FILES_MATCHING PATTERN "*.h")
   endif()
 endforeach()

@@ -2,35 +2,19 @@
 
 #include <filesystem>
 #include <iostream>
-#include <sstream>
 #include <system_error>
 
 #include "app/commands.h"
 #include "base/errors.h"
 #include "base/text.h"
-#include "exchange/abaqus_writer.h"
 #include "results/atomic_file.h"
+#include "run/export_case.h"
 #include "run/load_case.h"
-#include "solve/mass_scaling.h"
 
 namespace knitmech::app {
-namespace {
-
-std::string abaqus_text(const run::LoadedCase& loaded) {
-  exchange::AbaqusOptions options;
-  options.mass_scaling = loaded.input.solver.mass_scaling ? *loaded.input.solver.mass_scaling
-                                                          : solve::automatic_mass_scaling(loaded.model);
-  options.bulk_viscosity = loaded.input.solver.bulk_viscosity;
-  std::ostringstream text;
-  exchange::write_abaqus(text, loaded.model, options);
-  return std::move(text).str();
-}
-
-}  // namespace
-
 ExitCode run_command(const ExportOptions& options) {
   const run::LoadedCase loaded = run::load_case(options.case_file);
-  const std::string text = abaqus_text(loaded);
+  const std::string text = run::exported(loaded, options.format);
   if (options.file.empty()) {
     std::cout << text << std::flush;
     return kDone;

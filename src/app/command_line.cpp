@@ -24,6 +24,7 @@ namespace {
 
 constexpr const char* kExamples =
     "Examples:\n"
+    "  knitmech ui                            open the page in the browser\n"
     "  knitmech new jersey.toml               write a commented case file\n"
     "  knitmech check jersey.toml             see what would be run\n"
     "  knitmech run jersey.toml               simulate; leaves results/jersey\n"
@@ -236,6 +237,24 @@ void add_compare(CLI::App& app, Action& action) {
   on_parse(command, action, options);
 }
 
+void add_ui(CLI::App& app, Action& action) {
+  auto options = std::make_shared<UiOptions>();
+  CLI::App& command = *app.add_subcommand("ui", "Open the page: design, run and explore fabrics in the browser");
+  command.add_option("CASE_OR_RUN", options->named, "Case file or folder of a run to begin with");
+  command.add_option("--folder", options->folder,
+                     "Folder that the page may read and write, with the runs in its folder results (default: the "
+                     "present one)");
+  command.add_option("--port", options->port, "Port to listen at; 0: any that is free (default: 8642, or any)")
+      ->check(CLI::Range(0, 65535));
+  command
+      .add_option("--host", options->host,
+                  "Address to listen at. Any other than 127.0.0.1 lets other computers in: whoever knows the "
+                  "address that is printed can write to the folder")
+      ->capture_default_str();
+  command.add_flag("!--no-browser", options->browser, "Open no browser, only print the address");
+  on_parse(command, action, options);
+}
+
 void add_parameters(CLI::App& app, Action& action) {
   auto options = std::make_shared<ParametersOptions>();
   CLI::App& command = *app.add_subcommand("parameters", "List every key of a case file with unit, default and range");
@@ -308,6 +327,7 @@ int run_command_line(int argc, char** argv) {
   add_study(app, action);
   add_yarn(app, action);
   add_export(app, action);
+  add_ui(app, action);
   add_parameters(app, action);
 
   const bool as_json = std::find(argv, argv + argc, std::string_view("--json")) != argv + argc;

@@ -98,6 +98,14 @@ struct CompareOptions {
   bool json = false;
 };
 
+struct UiOptions {
+  std::string named;   ///< a case file or the folder of a run to begin with; empty: the first example
+  std::string folder;  ///< of the cases; empty: the present one
+  std::string host = "127.0.0.1";
+  std::optional<int> port;  ///< empty: the usual one if it is free
+  bool browser = true;      ///< opens the page in one
+};
+
 struct ParametersOptions {
   bool markdown = false;
 };
@@ -113,6 +121,7 @@ ExitCode run_command(const ExportOptions& options);
 ExitCode run_command(const YarnOptions& options);
 ExitCode run_command(const RenderOptions& options);
 ExitCode run_command(const CompareOptions& options);
+ExitCode run_command(const UiOptions& options);
 ExitCode run_command(const ParametersOptions& options);
 
 }  // namespace knitmech::app

@@ -5,6 +5,7 @@
 
 #include "app/structure_texts.h"
 #include "model/case_file.h"
+#include "run/run_estimate.h"
 #include "solve/mass_scaling.h"
 
 namespace knitmech::app {
@@ -104,7 +105,8 @@ std::string check_json(const run::LoadedCase& loaded, const model::FabricFacts& 
        {"strain", model.test.strain},
        {"duration_s",
         solve::adapts_pace(loaded.input, mass_scaling) ? Json(nullptr) : Json(model.test.time_at(model.test.strain))},
-       {"mass_scaling", mass_scaling}});
+       {"mass_scaling", mass_scaling},
+       {"estimated_seconds", run::estimate_run(loaded).seconds}});
 }
 
 std::string run_json(const std::string& summary, const std::filesystem::path& folder) {

@@ -13,8 +13,6 @@ namespace {
 
 constexpr std::chrono::milliseconds kRedrawInterval{100};
 constexpr int kBarWidth = 24;
-/// Share of the test between two marks, by which the time left is estimated.
-constexpr double kMarkInterval = 0.05;
 
 std::string bar(double share) {
   const auto full = static_cast<std::size_t>(share * kBarWidth);
@@ -29,13 +27,12 @@ Progress::Progress(const model::TensileTest& test, double strain, bool shown)
       on_terminal_(isatty(STDOUT_FILENO) == 1),
       start_(Clock::now()),
       drawn_(start_),
-      mark_{strain / test.strain, start_},
-      earlier_mark_(mark_) {}
+      time_left_(strain / test.strain) {}
 
 void Progress::update(const model::HistoryRow& row) {
   if (!shown_) return;
   const double share = std::clamp(row.strain / strain_, 0.0, 1.0);
-  set_mark(share);
+  time_left_.update(share, seconds());
   if (on_terminal_) {
     if (Clock::now() - drawn_ < kRedrawInterval) return;
     drawn_ = Clock::now();
@@ -56,20 +53,13 @@ void Progress::finish() {
   std::fflush(stdout);
 }
 
-void Progress::set_mark(double share) {
-  if (share < mark_.share + kMarkInterval) return;
-  earlier_mark_ = mark_;
-  mark_ = {share, Clock::now()};
-}
-
-double Progress::time_left(double share) const {
-  const std::chrono::duration<double> elapsed = Clock::now() - earlier_mark_.time;
-  return elapsed.count() * (1 - share) / (share - earlier_mark_.share);
+double Progress::seconds() const {
+  return std::chrono::duration<double>(Clock::now() - start_).count();
 }
 
 std::string Progress::line(const model::HistoryRow& row, double share) const {
-  const std::string left =
-      share > earlier_mark_.share ? fmt::format("  time left {}", duration_text(time_left(share))) : "";
+  const auto seconds_left = time_left_.seconds_left(share, seconds());
+  const std::string left = seconds_left ? fmt::format("  time left {}", duration_text(*seconds_left)) : "";
   return fmt::format(" {:3.0f} %  strain {}  force {}{}", 100 * share, percent_text(row.strain),
                      force_text(row.force_top), left);
 }

@@ -5,6 +5,7 @@
 
 #include "model/frame.h"
 #include "model/model.h"
+#include "run/time_left.h"
 
 namespace knitmech::app {
 
@@ -23,9 +24,7 @@ class Progress {
  private:
   using Clock = std::chrono::steady_clock;
 
-  void set_mark(double share);
-  /// [s], as if the run went on as it did of late; the pace of a test may change.
-  [[nodiscard]] double time_left(double share) const;
+  [[nodiscard]] double seconds() const;
   [[nodiscard]] std::string line(const model::HistoryRow& row, double share) const;
   void redraw(const std::string& text);
 
@@ -35,12 +34,7 @@ class Progress {
   Clock::time_point start_;
   Clock::time_point drawn_;
   std::size_t width_drawn_ = 0;
-  /// Where the run was: at the last mark, and at the one before.
-  struct Mark {
-    double share = 0;
-    Clock::time_point time;
-  };
-  Mark mark_, earlier_mark_;
+  run::TimeLeft time_left_;
   int tenths_shown_ = 0;
 };
 

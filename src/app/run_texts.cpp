@@ -12,6 +12,7 @@
 #include "base/quantity.h"
 #include "results/ravelling.h"
 #include "results/yarn_breaks.h"
+#include "run/run_estimate.h"
 #include "solve/mass_scaling.h"
 
 namespace knitmech::app {
@@ -127,6 +128,7 @@ std::string check_text(const run::LoadedCase& loaded, const model::FabricFacts& 
   add("contact", contact_text(loaded, facts));
   add("test", test_text(loaded.model.test, solve::adapts_pace(loaded.input, mass_scaling)));
   add("mass scaling", mass_scaling_text(loaded.input, mass_scaling));
+  add("run time", fmt::format("about {}", base::duration_text(run::estimate_run(loaded).seconds)));
   return text;
 }
 
