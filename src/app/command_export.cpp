@@ -2,29 +2,90 @@
 
 #include <filesystem>
 #include <iostream>
+#include <optional>
+#include <string>
 #include <system_error>
 
+#include "app/chosen_frame.h"
 #include "app/commands.h"
 #include "base/errors.h"
 #include "base/text.h"
 #include "results/atomic_file.h"
+#include "results/read_frame.h"
+#include "results/read_run.h"
 #include "run/export_case.h"
 #include "run/load_case.h"
 
 namespace knitmech::app {
+namespace {
+
+namespace fs = std::filesystem;
+using Files = std::vector<run::ExportedFile>;
+
+/// The name of the files without what the format adds: of the file that is asked for, or of the source.
+std::string stem_of(const ExportOptions& options, const run::ExportFormat& format) {
+  if (options.file.empty()) return fs::path(options.source).stem().string();
+  const std::string name = fs::path(options.file).filename().string();
+  for (const std::string_view ending : format.endings) {
+    if (name.size() > ending.size() && name.ends_with(ending)) return name.substr(0, name.size() - ending.size());
+  }
+  return fs::path(name).stem().string();
+}
+
+Files files_of_case(const ExportOptions& options, const run::ExportFormat& format) {
+  if (options.frame || options.strain) {
+    throw InputError(fmt::format("{} is no folder of a run, so it has no frames", base::in_quotes(options.source)));
+  }
+  const run::LoadedCase loaded = run::load_case(options.source);
+  return run::exported({loaded.input, loaded.model, nullptr, stem_of(options, format), options.sides}, format);
+}
+
+/// A geometry has the shape of the frame that is asked for, or else of the last one; a deck the shape at the start.
+Files files_of_run(const ExportOptions& options, const run::ExportFormat& format) {
+  const results::StoredRun stored = results::read_run(options.source);
+  const bool wants_frame = options.frame || options.strain || format.kind == run::ExportKind::geometry;
+  std::optional<model::Frame> frame;
+  if (wants_frame) frame = results::read_frame(stored, chosen_frame(stored, options.frame, options.strain, std::cerr));
+  return run::exported({stored.input, stored.model, frame ? &*frame : nullptr, stem_of(options, format), options.sides},
+                       format);
+}
+
+void refuse_to_replace_the_source(const ExportOptions& options, const fs::path& file) {
+  std::error_code not_there;
+  if (fs::equivalent(file, options.source, not_there)) {
+    throw InputError(fmt::format("{} is the case file itself; give another name", base::in_quotes(file.string())));
+  }
+}
+
+/// One file goes to just the name that is given, several to that name with what the format adds.
+fs::path path_of(const ExportOptions& options, const run::ExportFormat& format, std::string_view ending) {
+  if (format.endings.size() == 1) return options.file;
+  return fs::path(options.file).parent_path() / (stem_of(options, format) + std::string(ending));
+}
+
+}  // namespace
+
 ExitCode run_command(const ExportOptions& options) {
-  const run::LoadedCase loaded = run::load_case(options.case_file);
-  const std::string text = run::exported(loaded, options.format);
+  check_strain(options.strain);
+  const run::ExportFormat& format = run::export_format(options.format);
+  if (options.file.empty() && format.endings.size() > 1) {
+    throw InputError(fmt::format("the format {} makes {} files; say where to with -o, as -o {}{}",
+                                 base::in_quotes(format.name), format.endings.size(), stem_of(options, format),
+                                 format.endings.front()));
+  }
+  const Files files = fs::is_directory(options.source) ? files_of_run(options, format) : files_of_case(options, format);
   if (options.file.empty()) {
-    std::cout << text << std::flush;
+    std::cout << files.front().bytes << std::flush;
     return kDone;
   }
-  std::error_code not_there;
-  if (std::filesystem::equivalent(options.file, options.case_file, not_there)) {
-    throw InputError(fmt::format("{} is the case file itself; give another name", base::in_quotes(options.file)));
+  for (const run::ExportedFile& file : files) {
+    refuse_to_replace_the_source(options, path_of(options, format, file.ending));
   }
-  results::write_file_atomically(options.file, text);
-  fmt::print("Wrote {}: {} nodes, {} elements\n", options.file, loaded.model.n_nodes(), loaded.model.n_elements());
+  for (const run::ExportedFile& file : files) {
+    const fs::path path = path_of(options, format, file.ending);
+    results::write_file_atomically(path, file.bytes);
+    fmt::print("Wrote {}: {}, {:.3g} kB\n", path.string(), format.label, static_cast<double>(file.bytes.size()) / 1000);
+  }
   return kDone;
 }
 

@@ -1,6 +1,7 @@
 #include "app/command_line.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -18,6 +19,7 @@
 #include "app/json_text.h"
 #include "base/errors.h"
 #include "base/text.h"
+#include "run/export_case.h"
 
 namespace knitmech::app {
 namespace {
@@ -121,14 +123,27 @@ void add_study(CLI::App& app, Action& action) {
   on_parse(command, action, options);
 }
 
+std::string formats_text() {
+  std::string text = "Formats:\n";
+  for (const run::ExportFormat& each : run::export_formats()) {
+    text += fmt::format("  {:<16} {} ({})\n", each.name, each.label, fmt::join(each.endings, ", "));
+  }
+  return text;
+}
+
 void add_export(CLI::App& app, Action& action) {
   auto options = std::make_shared<ExportOptions>();
-  CLI::App& command = *app.add_subcommand("export", "Write the model of a case for another program");
-  command.add_option("CASE", options->case_file, "Case file")->required();
-  command.add_option("-f,--format", options->format, "abaqus: input file for Abaqus/Explicit")
-      ->required()
-      ->check(CLI::IsMember({"abaqus"}));
-  command.add_option("-o,--output", options->file, "Where to; without it, to standard output");
+  CLI::App& command = *app.add_subcommand("export", "Write the model of a case for other programs");
+  command.add_option("CASE", options->source, "Case file, or the folder of a run")->required();
+  command.add_option("-f,--format", options->format, "One of those below")->required();
+  command.add_option("-o,--output", options->file,
+                     "Where to; without it, to standard output. Several files get this name with their own endings");
+  CLI::Option* const frame = command.add_option(
+      "--frame", options->frame, "Of a run and a geometry: number of a stored frame (default: the last)");
+  command.add_option("--strain", options->strain, "Take the stored frame that is nearest to this strain, as 0.16")
+      ->excludes(frame);
+  command.add_option("--sides", options->sides, "Of the polygon that stands for a round yarn (default: 12)");
+  command.footer(formats_text());
   on_parse(command, action, options);
 }
 

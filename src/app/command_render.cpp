@@ -2,9 +2,11 @@
 
 #include <cmath>
 #include <filesystem>
+#include <iostream>
 #include <string>
 #include <system_error>
 
+#include "app/chosen_frame.h"
 #include "app/commands.h"
 #include "app/render_film.h"
 #include "app/run_texts.h"
@@ -27,16 +29,6 @@ using picture::ColourBy;
 using picture::PictureOptions;
 using results::StoredFrame;
 using results::StoredRun;
-
-/// The frame that is asked for; says which one was taken for a strain.
-int chosen_frame(const StoredRun& run, const RenderOptions& options) {
-  if (options.frame) return *options.frame;
-  if (!options.strain) return run.frames.back().index;
-  const StoredFrame& nearest = results::nearest_frame(run, *options.strain);
-  fmt::print("Frame {} at {} strain is the stored one nearest to {}.\n", nearest.index, percent_text(nearest.strain),
-             percent_text(*options.strain));
-  return nearest.index;
-}
 
 /// The ends of the colours for all stored frames.
 std::pair<double, double> range_of_all(const StoredRun& run, ColourBy colour_by) {
@@ -85,13 +77,9 @@ fs::path output_file(const RenderOptions& options, const std::string& name) {
   return options.file;
 }
 
-void check(const RenderOptions& options) {
-  if (options.strain && !std::isfinite(*options.strain)) throw InputError("--strain should be a number, as 0.16");
-}
-
 /// A map or a chart, as text.
 ExitCode draw_plan(const StoredRun& run, const RenderOptions& options) {
-  const model::Frame frame = results::read_frame(run, chosen_frame(run, options));
+  const model::Frame frame = results::read_frame(run, chosen_frame(run, options.frame, options.strain, std::cout));
   const std::string caption = run::caption_of(frame.history);
   const fs::path file = output_file(
       options, fmt::format("frame_{:04}-{}.svg", frame.index, options.contact_map ? "contact-map" : "side-profile"));
@@ -103,7 +91,7 @@ ExitCode draw_plan(const StoredRun& run, const RenderOptions& options) {
 
 ExitCode draw_picture(const StoredRun& run, const RenderOptions& options) {
   PictureOptions picture = picture_options(run, options);
-  const model::Frame frame = results::read_frame(run, chosen_frame(run, options));
+  const model::Frame frame = results::read_frame(run, chosen_frame(run, options.frame, options.strain, std::cout));
   picture.caption = run::caption_of(frame.history);
   const fs::path file =
       output_file(options, fmt::format("frame_{:04}-{}-{}.png", frame.index, options.colour, options.view));
@@ -120,7 +108,7 @@ ExitCode make_film(const StoredRun& run, const RenderOptions& options) {
     const fs::path file = output_file(options, fmt::format("film-stretch-{}-{}.webp", options.colour, options.view));
     write_stretch_film(file, run, picture, times);
   } else {
-    const model::Frame frame = results::read_frame(run, chosen_frame(run, options));
+    const model::Frame frame = results::read_frame(run, chosen_frame(run, options.frame, options.strain, std::cout));
     picture.caption = run::caption_of(frame.history);
     const fs::path file = output_file(
         options, fmt::format("film-turn-{}-{}-frame_{:04}.webp", options.colour, options.view, frame.index));
@@ -132,7 +120,7 @@ ExitCode make_film(const StoredRun& run, const RenderOptions& options) {
 }  // namespace
 
 ExitCode run_command(const RenderOptions& options) {
-  check(options);
+  check_strain(options.strain);
   const StoredRun run = results::read_run(options.run);
   if (options.contact_map || options.side_profile) return draw_plan(run, options);
   return options.film.empty() ? draw_picture(run, options) : make_film(run, options);

@@ -48,9 +48,12 @@ struct StudyOptions {
 };
 
 struct ExportOptions {
-  std::string case_file;
+  std::string source;  ///< a case file or the folder of a run
   std::string format;
-  std::string file;  ///< empty: to standard output
+  std::string file;              ///< empty: to standard output
+  std::optional<int> frame;      ///< of a run; empty with strain empty: the last one
+  std::optional<double> strain;  ///< [-]; the nearest stored frame
+  int sides = 12;                ///< of a tube
 };
 
 /// Quantities are texts with a unit, empty where they are not given.

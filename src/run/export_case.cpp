@@ -3,44 +3,52 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <sstream>
 #include <utility>
-#include <vector>
 
 #include "base/errors.h"
 #include "base/text.h"
-#include "exchange/abaqus_writer.h"
-#include "solve/mass_scaling.h"
+#include "run/export_decks.h"
 
 namespace knitmech::run {
 namespace {
 
-constexpr std::array kFormats{ExportFormat{"abaqus", "Abaqus/Explicit input file", "inp"}};
+constexpr int kFewestSides = 3, kMostSides = 256;
 
-std::string abaqus_text(const LoadedCase& loaded) {
-  exchange::AbaqusOptions options;
-  options.mass_scaling = loaded.input.solver.mass_scaling ? *loaded.input.solver.mass_scaling
-                                                          : solve::automatic_mass_scaling(loaded.model);
-  options.bulk_viscosity = loaded.input.solver.bulk_viscosity;
-  std::ostringstream text;
-  exchange::write_abaqus(text, loaded.model, options);
-  return std::move(text).str();
+const std::vector<ExportFormat>& all_formats() {
+  using enum ExportKind;
+  static const std::vector<ExportFormat> formats{
+      {"abaqus", "Abaqus/Explicit input file", deck, {".inp"}, abaqus_files},
+  };
+  return formats;
 }
 
 }  // namespace
 
 std::span<const ExportFormat> export_formats() {
-  return kFormats;
+  return all_formats();
 }
 
-std::string exported(const LoadedCase& loaded, std::string_view format) {
-  if (format == "abaqus") return abaqus_text(loaded);
+const ExportFormat& export_format(std::string_view name) {
+  const auto found = std::ranges::find(all_formats(), name, &ExportFormat::name);
+  if (found != all_formats().end()) return *found;
   std::vector<std::string_view> names;
-  names.reserve(kFormats.size());
-  for (const ExportFormat& each : kFormats) names.push_back(each.name);
+  for (const ExportFormat& each : all_formats()) names.push_back(each.name);
   throw InputError(
-      fmt::format("there is no format {}; the formats are {}", base::in_quotes(format), base::alternatives(names)));
+      fmt::format("there is no format {}; the formats are {}", base::in_quotes(name), base::alternatives(names)));
+}
+
+std::vector<ExportedFile> exported(const ExportSource& source, const ExportFormat& format) {
+  if (source.frame != nullptr && format.kind == ExportKind::deck) {
+    throw InputError(fmt::format("the format {} has no frames: a deck starts with the fabric as it was knitted",
+                                 base::in_quotes(format.name)));
+  }
+  if (source.sides < kFewestSides || source.sides > kMostSides) {
+    throw InputError(fmt::format("a tube has {} to {} sides, not {}", kFewestSides, kMostSides, source.sides));
+  }
+  std::vector<std::string> texts = format.write(source);
+  std::vector<ExportedFile> files;
+  for (std::size_t i = 0; i < texts.size(); ++i) files.push_back({format.endings.at(i), std::move(texts[i])});
+  return files;
 }
 
 }  // namespace knitmech::run

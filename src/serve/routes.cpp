@@ -1,5 +1,7 @@
 #include "serve/routes.h"
 
+#include <fmt/format.h>
+
 #include <atomic>
 #include <charconv>
 #include <map>
@@ -9,7 +11,10 @@
 #include <thread>
 #include <utility>
 
+#include "base/errors.h"
+#include "base/text.h"
 #include "run/export_case.h"
+#include "run/load_case.h"
 #include "serve/design.h"
 #include "serve/measured.h"
 #include "serve/page_files.h"
@@ -117,18 +122,30 @@ void add_cases(httplib::Server& server, const std::string& api, const Served& se
              }));
 }
 
+/// One file of an export: a download takes one at a time.
+void put_export(Response& answer, const run::ExportSource& source, const Json& body) {
+  const std::string format = body.at("format"), ending = body.at("ending");
+  for (run::ExportedFile& file : run::exported(source, run::export_format(format))) {
+    if (file.ending == ending) return put(answer, std::move(file.bytes), "application/octet-stream");
+  }
+  throw Refusal(404, fmt::format("the format {} has no file that ends in {}", format, base::in_quotes(ending)));
+}
+
 void add_exports(httplib::Server& server, const std::string& api) {
   server.Get(api + "/formats", answering([](const Request&, Response& answer) {
                Json formats = Json::array();
                for (const run::ExportFormat& each : run::export_formats()) {
-                 formats.push_back({{"name", each.name}, {"label", each.label}, {"extension", each.extension}});
+                 formats.push_back({{"name", each.name},
+                                    {"label", each.label},
+                                    {"kind", each.kind == run::ExportKind::deck ? "deck" : "geometry"},
+                                    {"endings", each.endings}});
                }
                put_json(answer, dumped(formats));
              }));
   server.Post(api + "/export", answering([](const Request& request, Response& answer) {
                 const Json body = body_of(request);
                 const auto loaded = run::load_case_text(body.at("text").get<std::string>(), "case");
-                put(answer, run::exported(loaded, body.at("format").get<std::string>()), "text/plain; charset=utf-8");
+                put_export(answer, {.input = loaded.input, .model = loaded.model, .stem = body.at("stem")}, body);
               }));
   server.Post(api + "/measured", answering([](const Request& request, Response& answer) {
                 const Json body = body_of(request);

@@ -82,7 +82,7 @@ class Runs::State {
       : root_(std::move(root)), options_(options), turns_(processors(options.at_once)), stored_(root_) {}
 
   ~State() {
-    turns_.close();  // or one that waits would begin when another ends
+    turns_.close();                                   // or one that waits would begin when another ends
     for (const auto& [id, run] : runs_) run->stop();  // all of them before the first is waited for
   }
   State(const State&) = delete;

@@ -18,4 +18,10 @@ expect_code 2
 expect_same tiny.toml before.toml
 knitmech export tiny.toml -f abaqus -o no/such/folder/tiny.inp
 expect_code 4
+knitmech export tiny.toml -f abaqus --strain 0.1
+expect_code 2
+expect_in err "no folder of a run"
+knitmech export tiny.toml -f ansys
+expect_code 2
+expect_in err "there is no format" "abaqus"
 finish

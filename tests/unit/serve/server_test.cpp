@@ -120,7 +120,7 @@ TEST_F(ServerTest, AnswersNonsenseWithASentence) {
     EXPECT_FALSE(Json::parse(body_).at("error").at("message").get<std::string>().empty()) << body;
   }
   EXPECT_EQ(post("/api/design", std::string(100000, '[')), 400);
-  EXPECT_EQ(post("/api/export", R"({"text": "", "format": "abaqus"})"), 400);
+  EXPECT_EQ(post("/api/export", R"({"text": "", "format": "abaqus", "stem": "x", "ending": ".inp"})"), 400);
   EXPECT_EQ(post("/api/runs", R"({"text": "nonsense", "name": "x"})"), 400);
   EXPECT_EQ(post("/api/runs/not-there/stop", "{}"), 404);
   EXPECT_EQ(get(prefix_ + "/api/runs/fake/frames/99999999999999"), 404);

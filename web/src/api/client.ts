@@ -84,8 +84,8 @@ export const bytesAt = async (address: string, signal?: AbortSignal): Promise<gl
 
 export const measured = (request: t.MeasuredRequest): Promise<t.Measured> => post("api/measured", request);
 export const formats = (): Promise<t.ExportFormat[]> => get("api/formats");
-export const exportCase = async (text: string, format: string): Promise<globalThis.Blob> =>
-  (await answerTo("api/export", sending("POST", { text, format }))).blob();
+export const exportCase = async (text: string, format: string, stem: string, ending: string): Promise<globalThis.Blob> =>
+  (await answerTo("api/export", sending("POST", { text, format, stem, ending }))).blob();
 
 const kReconnect = 3000; // ms, where the browser has given the connection up
 

@@ -260,11 +260,12 @@ export interface Measured {
   mean: { strain: number[]; mean: number[]; lowest: number[]; highest: number[] }; // N/mm
 }
 
-/** GET api/formats: what POST api/export {text, format} writes; its answer is the file itself. */
+/** GET api/formats: what POST api/export {text, format, stem, ending} writes; its answer is the file itself. */
 export interface ExportFormat {
   name: string; // "abaqus"
-  label: string; // "Abaqus/Explicit input deck"
-  extension: string; // "inp"
+  label: string; // "Abaqus/Explicit input file"
+  kind: "deck" | "geometry";
+  endings: string[]; // [".inp"]: of its files, whose names are the stem and one of these
 }
 
 // POST api/runs/ID/report -> {}: writes report.html anew.

@@ -23,12 +23,19 @@ function useFormats(): readonly ExportFormat[] {
   return formats.value;
 }
 
+/** "jersey.inp", or of several files "jersey_0000.rad and jersey_0001.rad". */
+const fileNames = (stem: string, format: ExportFormat | undefined): string => (format?.endings ?? []).map((ending) => stem + ending).join(" and ");
+
+async function saveAll(stem: string, text: string, format: ExportFormat): Promise<void> {
+  for (const ending of format.endings) save(stem + ending, await client.exportCase(text, format.name, stem, ending));
+}
+
 export function DeckCard({ subject }: { subject: Subject }): JSX.Element {
   const formats = useFormats();
   const chosen = useSignal("");
   const { isBusy, trouble, act } = useAction();
   const format = formats.find((each) => each.name === chosen.value) ?? formats[0];
-  const file = `${subject.name}.${format?.extension ?? ""}`;
+  const file = `${subject.name}${format?.endings[0] ?? ""}`;
   const text = subject.caseText;
   const canSave = format !== undefined && text !== null && subject.mistake === null;
   return (
@@ -49,8 +56,8 @@ export function DeckCard({ subject }: { subject: Subject }): JSX.Element {
           ))}
         </select>
       </label>
-      <button type="button" class="main" disabled={!canSave || isBusy} onClick={() => act(async () => save(file, await client.exportCase(text as string, format!.name)))}>
-        {isBusy ? "Writing the deck" : `Download ${file}`}
+      <button type="button" class="main" disabled={!canSave || isBusy} onClick={() => act(() => saveAll(subject.name, text as string, format!))}>
+        {isBusy ? "Writing" : `Download ${fileNames(subject.name, format)}`}
       </button>
     </Card>
   );
