@@ -147,6 +147,14 @@ void add_export(CLI::App& app, Action& action) {
   on_parse(command, action, options);
 }
 
+void add_lint(CLI::App& app, Action& action) {
+  auto options = std::make_shared<LintOptions>();
+  CLI::App& command = *app.add_subcommand("lint", "Check an Abaqus deck against the syntax of its keywords");
+  command.add_option("DECK", options->file, "Input file for Abaqus/Explicit")->required();
+  command.add_flag("--json", options->json, "Write the findings as JSON, for scripts, and nothing else");
+  on_parse(command, action, options);
+}
+
 void add_column_options(CLI::App& command, std::string& load, std::string& extension) {
   command.add_option("--load-column", load,
                      "Name of the column to take, where it does not say force or stress, as \"Fmax\"; with its unit "
@@ -342,6 +350,7 @@ int run_command_line(int argc, char** argv) {
   add_study(app, action);
   add_yarn(app, action);
   add_export(app, action);
+  add_lint(app, action);
   add_ui(app, action);
   add_parameters(app, action);
 

@@ -56,6 +56,11 @@ struct ExportOptions {
   int sides = 12;                ///< of a tube
 };
 
+struct LintOptions {
+  std::string file;  ///< a deck
+  bool json = false;
+};
+
 /// Quantities are texts with a unit, empty where they are not given.
 struct YarnOptions {
   std::vector<std::string> files;
@@ -121,6 +126,7 @@ ExitCode run_command(const RunOptions& options);
 ExitCode run_command(const ReportOptions& options);
 ExitCode run_command(const StudyOptions& options);
 ExitCode run_command(const ExportOptions& options);
+ExitCode run_command(const LintOptions& options);
 ExitCode run_command(const YarnOptions& options);
 ExitCode run_command(const RenderOptions& options);
 ExitCode run_command(const CompareOptions& options);

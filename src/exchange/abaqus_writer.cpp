@@ -175,8 +175,8 @@ void write_abaqus(std::ostream& out, const model::Model& model, const AbaqusOpti
   write_elements(out, model);
   write_element_sets(out, model, groups);
   write_node_sets(out, model);
+  deck::write_materials(out, model);  // before the sections, which name them
   deck::write_sections(out, model, groups);
-  deck::write_materials(out, model);
   deck::write_ties(out, model);
   deck::write_contact(out, model, groups);
   deck::write_grips(out, model.test);
