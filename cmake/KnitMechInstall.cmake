@@ -30,3 +30,10 @@ install(FILES ${PROJECT_SOURCE_DIR}/cmake/KnitMechConfig.cmake ${PROJECT_BINARY_
 
 install(FILES LICENSE README.md CHANGELOG.md CITATION.cff DESTINATION ${doc_dir})
 install(DIRECTORY docs examples DESTINATION ${doc_dir})
+
+# Where man and the shells look for them.
+set(words_dir ${PROJECT_BINARY_DIR}/words)
+install(FILES ${words_dir}/knitmech.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+install(FILES ${words_dir}/knitmech DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
+install(FILES ${words_dir}/_knitmech DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
+install(FILES ${words_dir}/knitmech.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)

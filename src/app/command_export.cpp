@@ -8,6 +8,7 @@
 
 #include "app/chosen_frame.h"
 #include "app/commands.h"
+#include "app/json_text.h"
 #include "base/errors.h"
 #include "base/text.h"
 #include "results/atomic_file.h"
@@ -63,16 +64,21 @@ fs::path path_of(const ExportOptions& options, const run::ExportFormat& format, 
   return fs::path(options.file).parent_path() / (stem_of(options, format) + std::string(ending));
 }
 
+void check_output(const ExportOptions& options, const run::ExportFormat& format) {
+  if (!options.file.empty()) return;
+  if (options.json) throw InputError("export --json tells which files were written; say where to with -o");
+  if (format.endings.size() == 1) return;
+  throw InputError(fmt::format("the format {} makes {} files; say where to with -o, as -o {}{}",
+                               base::in_quotes(format.name), format.endings.size(), stem_of(options, format),
+                               format.endings.front()));
+}
+
 }  // namespace
 
 ExitCode run_command(const ExportOptions& options) {
   check_strain(options.strain);
   const run::ExportFormat& format = run::export_format(options.format);
-  if (options.file.empty() && format.endings.size() > 1) {
-    throw InputError(fmt::format("the format {} makes {} files; say where to with -o, as -o {}{}",
-                                 base::in_quotes(format.name), format.endings.size(), stem_of(options, format),
-                                 format.endings.front()));
-  }
+  check_output(options, format);
   const Files files = fs::is_directory(options.source) ? files_of_run(options, format) : files_of_case(options, format);
   if (options.file.empty()) {
     std::cout << files.front().bytes << std::flush;
@@ -81,11 +87,15 @@ ExitCode run_command(const ExportOptions& options) {
   for (const run::ExportedFile& file : files) {
     refuse_to_replace_the_source(options, path_of(options, format, file.ending));
   }
+  std::vector<fs::path> written;
   for (const run::ExportedFile& file : files) {
-    const fs::path path = path_of(options, format, file.ending);
-    results::write_file_atomically(path, file.bytes);
-    fmt::print("Wrote {}: {}, {:.3g} kB\n", path.string(), format.label, static_cast<double>(file.bytes.size()) / 1000);
+    written.push_back(path_of(options, format, file.ending));
+    results::write_file_atomically(written.back(), file.bytes);
+    if (options.json) continue;
+    fmt::print("Wrote {}: {}, {:.3g} kB\n", written.back().string(), format.label,
+               static_cast<double>(file.bytes.size()) / 1000);
   }
+  if (options.json) fmt::print("{}\n", files_json(written));
   return kDone;
 }
 

@@ -4,6 +4,7 @@
 #include <iostream>
 
 #include "app/commands.h"
+#include "app/json_text.h"
 #include "base/errors.h"
 #include "base/text.h"
 #include "model/parameters_text.h"
@@ -14,6 +15,7 @@ namespace knitmech::app {
 ExitCode run_command(const NewOptions& options) {
   const std::string text = model::case_template();
   if (options.file.empty()) {
+    if (options.json) throw InputError("new --json tells which file was written; give FILE");
     std::cout << text << std::flush;
     return kDone;
   }
@@ -25,7 +27,8 @@ ExitCode run_command(const NewOptions& options) {
     throw FileError(fmt::format("{} is there already; give another name, or --force to replace it", name));
   }
   results::write_file_atomically(options.file, text);
-  fmt::print("Wrote {}. Next: knitmech check {}\n", options.file, options.file);
+  fmt::print("{}\n", options.json ? files_json({options.file})
+                                  : fmt::format("Wrote {0}. Next: knitmech check {0}", options.file));
   return kDone;
 }
 

@@ -5,9 +5,11 @@
 #include <iostream>
 #include <string>
 #include <system_error>
+#include <utility>
 
 #include "app/chosen_frame.h"
 #include "app/commands.h"
+#include "app/json_text.h"
 #include "app/render_film.h"
 #include "app/run_texts.h"
 #include "base/errors.h"
@@ -77,44 +79,59 @@ fs::path output_file(const RenderOptions& options, const std::string& name) {
   return options.file;
 }
 
+/// What has been drawn, and what it tells.
+struct Drawn {
+  fs::path file;
+  int frame = 0;
+  std::string caption;
+};
+
 /// A map or a chart, as text.
-ExitCode draw_plan(const StoredRun& run, const RenderOptions& options) {
-  const model::Frame frame = results::read_frame(run, chosen_frame(run, options.frame, options.strain, std::cout));
+Drawn draw_plan(const StoredRun& run, const RenderOptions& options, std::ostream& messages) {
+  const model::Frame frame = results::read_frame(run, chosen_frame(run, options.frame, options.strain, messages));
   const std::string caption = run::caption_of(frame.history);
   const fs::path file = output_file(
       options, fmt::format("frame_{:04}-{}.svg", frame.index, options.contact_map ? "contact-map" : "side-profile"));
   results::write_file_atomically(file, options.contact_map ? picture::contact_map_svg(run.model, frame, caption)
                                                            : picture::side_profile_svg(run.model, frame, caption));
-  fmt::print("Wrote {}: frame {}, {}\n", file.string(), frame.index, caption);
-  return kDone;
+  return {file, frame.index, caption};
 }
 
-ExitCode draw_picture(const StoredRun& run, const RenderOptions& options) {
+Drawn draw_picture(const StoredRun& run, const RenderOptions& options, std::ostream& messages) {
   PictureOptions picture = picture_options(run, options);
-  const model::Frame frame = results::read_frame(run, chosen_frame(run, options.frame, options.strain, std::cout));
+  const model::Frame frame = results::read_frame(run, chosen_frame(run, options.frame, options.strain, messages));
   picture.caption = run::caption_of(frame.history);
   const fs::path file =
       output_file(options, fmt::format("frame_{:04}-{}-{}.png", frame.index, options.colour, options.view));
   picture::write_fabric_picture(file, run.model, frame, picture);
-  fmt::print("Wrote {}: frame {}, {}\n", file.string(), frame.index, picture.caption);
-  return kDone;
+  return {file, frame.index, picture.caption};
 }
 
-ExitCode make_film(const StoredRun& run, const RenderOptions& options) {
+/// Returns its file.
+fs::path make_film(const StoredRun& run, const RenderOptions& options, std::ostream& messages) {
   PictureOptions picture = picture_options(run, options);
   picture.height = options.height.value_or(kFilmHeight);
   const FilmTimes times{options.pictures_per_second, options.seconds};
   if (options.film == "stretch") {
-    const fs::path file = output_file(options, fmt::format("film-stretch-{}-{}.webp", options.colour, options.view));
-    write_stretch_film(file, run, picture, times);
-  } else {
-    const model::Frame frame = results::read_frame(run, chosen_frame(run, options.frame, options.strain, std::cout));
-    picture.caption = run::caption_of(frame.history);
-    const fs::path file = output_file(
-        options, fmt::format("film-turn-{}-{}-frame_{:04}.webp", options.colour, options.view, frame.index));
-    write_turn_film(file, run.model, frame, picture, times);
+    fs::path file = output_file(options, fmt::format("film-stretch-{}-{}.webp", options.colour, options.view));
+    write_stretch_film(file, run, picture, times, messages);
+    return file;
   }
-  return kDone;
+  const model::Frame frame = results::read_frame(run, chosen_frame(run, options.frame, options.strain, messages));
+  picture.caption = run::caption_of(frame.history);
+  fs::path file =
+      output_file(options, fmt::format("film-turn-{}-{}-frame_{:04}.webp", options.colour, options.view, frame.index));
+  write_turn_film(file, run.model, frame, picture, times, messages);
+  return file;
+}
+
+/// Draws what is asked for and returns its file.
+fs::path draw(const StoredRun& run, const RenderOptions& options, std::ostream& messages) {
+  if (!options.film.empty()) return make_film(run, options, messages);
+  const bool is_plan = options.contact_map || options.side_profile;
+  Drawn drawn = is_plan ? draw_plan(run, options, messages) : draw_picture(run, options, messages);
+  messages << fmt::format("Wrote {}: frame {}, {}\n", drawn.file.string(), drawn.frame, drawn.caption);
+  return std::move(drawn.file);
 }
 
 }  // namespace
@@ -122,8 +139,10 @@ ExitCode make_film(const StoredRun& run, const RenderOptions& options) {
 ExitCode run_command(const RenderOptions& options) {
   check_strain(options.strain);
   const StoredRun run = results::read_run(options.run);
-  if (options.contact_map || options.side_profile) return draw_plan(run, options);
-  return options.film.empty() ? draw_picture(run, options) : make_film(run, options);
+  std::ostream silence(nullptr);
+  const fs::path file = draw(run, options, options.json ? silence : std::cout);
+  if (options.json) fmt::print("{}\n", files_json({file}));
+  return kDone;
 }
 
 }  // namespace knitmech::app

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "app/commands.h"
+#include "app/json_text.h"
 #include "base/errors.h"
 #include "base/text.h"
 #include "report/run_report.h"
@@ -20,7 +21,8 @@ ExitCode run_command(const ReportOptions& options) {
   }
   const results::StoredRun run = results::read_run(options.folder);
   report::write_run_report(run);
-  fmt::print("Report: {}\n", (run.dir / report::kReportFile).string());
+  const std::filesystem::path file = run.dir / report::kReportFile;
+  fmt::print("{}\n", options.json ? files_json({file}) : "Report: " + file.string());
   return kDone;
 }
 

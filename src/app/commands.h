@@ -16,6 +16,7 @@ inline constexpr ExitCode kFileTrouble = 4;  ///< a file cannot be read or writt
 struct NewOptions {
   std::string file;    ///< empty: to standard output
   bool force = false;  ///< replaces a file that is there
+  bool json = false;
 };
 
 struct CheckOptions {
@@ -35,6 +36,7 @@ struct RunOptions {
 
 struct ReportOptions {
   std::string folder;  ///< of a run
+  bool json = false;
 };
 
 struct StudyOptions {
@@ -54,6 +56,7 @@ struct ExportOptions {
   std::optional<int> frame;      ///< of a run; empty with strain empty: the last one
   std::optional<double> strain;  ///< [-]; the nearest stored frame
   int sides = 12;                ///< of a tube
+  bool json = false;
 };
 
 struct LintOptions {
@@ -91,6 +94,7 @@ struct RenderOptions {
   double seconds = 4;       ///< that the film takes
   bool same_range = false;  ///< the colours span the values of all stored frames
   std::string file;         ///< empty: in the folder pictures/ of the run
+  bool json = false;
 };
 
 /// Quantities are texts with a unit, empty where they are not given.
@@ -116,6 +120,7 @@ struct UiOptions {
 
 struct ParametersOptions {
   bool markdown = false;
+  bool json = false;
 };
 
 /// Each command does what its help says and returns the exit code; InputError and FileError are for the caller to

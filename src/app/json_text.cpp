@@ -109,6 +109,12 @@ std::string check_json(const run::LoadedCase& loaded, const model::FabricFacts& 
        {"estimated_seconds", run::estimate_run(loaded).seconds}});
 }
 
+std::string files_json(const std::vector<std::filesystem::path>& files) {
+  Json names = Json::array();
+  for (const std::filesystem::path& file : files) names.push_back(file.string());
+  return text_of({{"files", names}});
+}
+
 std::string run_json(const std::string& summary, const std::filesystem::path& folder) {
   Json document = Json::parse(summary);
   document["folder"] = folder.string();

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <functional>
+#include <ostream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -44,12 +45,11 @@ int n_pictures(const FilmTimes& times) {
 }
 
 /// Writes the pictures that `draw` gives for 0, 1, 2, ...
-void write_film(const fs::path& file, const FilmTimes& times, double pause,
+void write_film(const fs::path& file, const FilmTimes& times, double pause, std::ostream& messages,
                 const std::function<picture::Image(int)>& draw) {
   const int count = n_pictures(times);
   picture::WebpFilm film(times.pictures_per_second);
-  fmt::print("Drawing {} pictures\n", count);
-  std::fflush(stdout);
+  messages << fmt::format("Drawing {} pictures\n", count) << std::flush;
   int width = 0;
   int height = 0;
   for (int i = 0; i < count; ++i) {
@@ -60,8 +60,8 @@ void write_film(const fs::path& file, const FilmTimes& times, double pause,
   }
   const std::string bytes = film.finish(pause);
   results::write_file_atomically(file, bytes);
-  fmt::print("Wrote {}: {} x {} px, {:.1f} s, {:.2g} MB\n", file.string(), width, height,
-             count / times.pictures_per_second + pause, 1e-6 * static_cast<double>(bytes.size()));
+  messages << fmt::format("Wrote {}: {} x {} px, {:.1f} s, {:.2g} MB\n", file.string(), width, height,
+                          count / times.pictures_per_second + pause, 1e-6 * static_cast<double>(bytes.size()));
 }
 
 Extent extent_of(const model::Model& model, const model::Frame& frame, const picture::ViewAxes& axes) {
@@ -149,12 +149,12 @@ PictureOptions without_shadow(PictureOptions options) {
 }  // namespace
 
 void write_stretch_film(const fs::path& file, const StoredRun& run, const PictureOptions& options,
-                        const FilmTimes& times) {
+                        const FilmTimes& times, std::ostream& messages) {
   if (run.frames.size() < 2) {
     throw InputError(fmt::format("the run in {} has stored one frame only; a stretch needs two", run.dir.string()));
   }
   if (run.frames.size() < kFewFrames) {
-    fmt::print(
+    messages << fmt::format(
         "{} frames are stored; between them nodes go in straight lines. output.frames_at of the case stores more.\n",
         run.frames.size());
   }
@@ -173,7 +173,7 @@ void write_stretch_film(const fs::path& file, const StoredRun& run, const Pictur
   one.caption = longest_caption(captions);
   FramesBetween frames(run);
   one.width = picture::picture_width(run.model, frames.at(first), one);
-  write_film(file, times, kPause, [&](int i) {
+  write_film(file, times, kPause, messages, [&](int i) {
     const auto at = static_cast<std::size_t>(i);
     one.caption = captions[at];
     return picture::draw_fabric(run.model, frames.at(strains[at]), one);
@@ -181,11 +181,11 @@ void write_stretch_film(const fs::path& file, const StoredRun& run, const Pictur
 }
 
 void write_turn_film(const fs::path& file, const model::Model& model, const model::Frame& frame,
-                     const PictureOptions& options, const FilmTimes& times) {
+                     const PictureOptions& options, const FilmTimes& times, std::ostream& messages) {
   const int count = n_pictures(times);
   const TurningExtents extents(model, frame, options.view, count);
   PictureOptions one = without_shadow(options);
-  write_film(file, times, 0, [&](int i) {
+  write_film(file, times, 0, messages, [&](int i) {
     one.turn = 360.0 * i / count;
     one.extent = extents.along(picture::axes_of(one.view, one.turn));
     return picture::draw_fabric(model, frame, one);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <iosfwd>
 
 #include "model/frame.h"
 #include "picture/fabric_picture.h"
@@ -16,16 +17,16 @@ struct FilmTimes {
 };
 
 /// Films as animated WebP that go round for ever; what is drawn is as in `options`, but for its extent, which is the
-/// same in all pictures. They say on standard output what they do and write. Throw InputError for times that make no
+/// same in all pictures. They say on `messages` what they do and write. Throw InputError for times that make no
 /// film of 2 to 10000 pictures.
 ///
 /// The stretch of the fabric: strain grows evenly from the first stored frame to the last one. Between two stored
 /// frames every node goes in a straight line; the force of the caption is that of the history. Then the film pauses.
 void write_stretch_film(const std::filesystem::path& file, const results::StoredRun& run,
-                        const picture::PictureOptions& options, const FilmTimes& times);
+                        const picture::PictureOptions& options, const FilmTimes& times, std::ostream& messages);
 
 /// One frame that turns once about y.
 void write_turn_film(const std::filesystem::path& file, const model::Model& model, const model::Frame& frame,
-                     const picture::PictureOptions& options, const FilmTimes& times);
+                     const picture::PictureOptions& options, const FilmTimes& times, std::ostream& messages);
 
 }  // namespace knitmech::app

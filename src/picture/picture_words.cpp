@@ -30,12 +30,18 @@ constexpr std::array<std::pair<std::string_view, View>, 5> kViews{{{"front", Vie
                                                                    {"oblique", View::oblique}}};
 
 template <typename Words>
+std::vector<std::string_view> names_of(const Words& words) {
+  std::vector<std::string_view> names;
+  for (const auto& [name, value] : words) names.push_back(name);
+  return names;
+}
+
+template <typename Words>
 auto meaning(const Words& words, std::string_view word, const char* kind) {
-  std::vector<std::string_view> known;
   for (const auto& [name, value] : words) {
     if (name == word) return value;
-    known.push_back(name);
   }
+  const std::vector<std::string_view> known = names_of(words);
   const std::string_view nearest = base::nearest_word(word, known);
   const std::string advice =
       nearest.empty() ? fmt::format("take {}", base::alternatives(known)) : fmt::format("did you mean {}?", nearest);
@@ -50,6 +56,14 @@ ColourBy colour_by_word(std::string_view word) {
 
 View view_by_word(std::string_view word) {
   return meaning(kViews, word, "view");
+}
+
+std::vector<std::string_view> colour_words() {
+  return names_of(kColours);
+}
+
+std::vector<std::string_view> view_words() {
+  return names_of(kViews);
 }
 
 }  // namespace knitmech::picture

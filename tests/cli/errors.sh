@@ -14,7 +14,7 @@ expect_error() {
 knitmech
 expect_error 2 "--help"
 knitmech fly jersey.toml
-expect_error 2 "no command \"fly\"" "new, check, run, report, render, compare, study, yarn, export, ui or parameters"
+expect_error 2 "no command \"fly\"" "new, check, run, report, render, compare, study, yarn, export, lint, ui, parameters, completion or man"
 knitmech chek jersey.toml
 expect_error 2 "did you mean check?"
 knitmech check

@@ -9,7 +9,8 @@ function(run)
 endfunction()
 
 run(${CMAKE_COMMAND} --install ${build_dir} --prefix ${prefix})
-foreach(file share/doc/knitmech/LICENSE include/knitmech/base/errors.h include/knitmech/solve/simulate.h)
+foreach(file share/man/man1/knitmech.1 share/bash-completion/completions/knitmech share/zsh/site-functions/_knitmech
+    share/fish/vendor_completions.d/knitmech.fish share/doc/knitmech/LICENSE include/knitmech/base/errors.h include/knitmech/solve/simulate.h)
   if(NOT EXISTS ${prefix}/${file})
     message(FATAL_ERROR "${file} was not installed")
   endif()
