@@ -34,9 +34,9 @@ const ExportFormat& export_format(std::string_view name) {
   std::vector<std::string_view> names;
   for (const ExportFormat& each : all_formats()) names.push_back(each.name);
   const std::string_view nearest = base::nearest_word(name, names);
-  throw InputError(fmt::format("there is no format {}; {}", base::in_quotes(name),
-                               nearest.empty() ? "the formats are " + base::alternatives(names)
-                                               : fmt::format("did you mean {}?", nearest)));
+  throw InputError(fmt::format(
+      "there is no format {}; {}", base::in_quotes(name),
+      nearest.empty() ? "the formats are " + base::alternatives(names) : fmt::format("did you mean {}?", nearest)));
 }
 
 std::vector<ExportedFile> exported(const ExportSource& source, const ExportFormat& format) {
