@@ -27,4 +27,7 @@ inline constexpr std::size_t kRunsInMemory = 2;
 /// Longest name of a new run [bytes]; usual 80.
 inline constexpr std::size_t kLongestName = 80;
 
+/// Largest number of a frame that is asked for [-].
+inline constexpr int kMostFrames = 1'000'000'000;
+
 }  // namespace knitmech::serve

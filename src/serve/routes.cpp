@@ -1,21 +1,17 @@
 #include "serve/routes.h"
 
-#include <fmt/format.h>
-
 #include <atomic>
 #include <charconv>
-#include <map>
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <thread>
 #include <utility>
 
-#include "base/errors.h"
-#include "base/text.h"
 #include "run/export_case.h"
 #include "run/load_case.h"
 #include "serve/design.h"
+#include "serve/export_file.h"
 #include "serve/measured.h"
 #include "serve/page_files.h"
 #include "serve/parameters_json.h"
@@ -122,15 +118,6 @@ void add_cases(httplib::Server& server, const std::string& api, const Served& se
              }));
 }
 
-/// One file of an export: a download takes one at a time.
-void put_export(Response& answer, const run::ExportSource& source, const Json& body) {
-  const std::string format = body.at("format"), ending = body.at("ending");
-  for (run::ExportedFile& file : run::exported(source, run::export_format(format))) {
-    if (file.ending == ending) return put(answer, std::move(file.bytes), "application/octet-stream");
-  }
-  throw Refusal(404, fmt::format("the format {} has no file that ends in {}", format, base::in_quotes(ending)));
-}
-
 void add_exports(httplib::Server& server, const std::string& api) {
   server.Get(api + "/formats", answering([](const Request&, Response& answer) {
                Json formats = Json::array();
@@ -145,7 +132,11 @@ void add_exports(httplib::Server& server, const std::string& api) {
   server.Post(api + "/export", answering([](const Request& request, Response& answer) {
                 const Json body = body_of(request);
                 const auto loaded = run::load_case_text(body.at("text").get<std::string>(), "case");
-                put_export(answer, {.input = loaded.input, .model = loaded.model, .stem = body.at("stem")}, body);
+                const run::ExportSource source{
+                    .input = loaded.input, .model = loaded.model, .stem = body.at("stem").get<std::string>()};
+                put(answer,
+                    exported_file(source, body.at("format").get<std::string>(), body.at("ending").get<std::string>()),
+                    "application/octet-stream");
               }));
   server.Post(api + "/measured", answering([](const Request& request, Response& answer) {
                 const Json body = body_of(request);
@@ -176,8 +167,12 @@ void add_run_reading(httplib::Server& server, const std::string& api, Runs& runs
   server.Get(run + "/live", answering([&runs](const Request& request, Response& answer) {
                put(answer, runs.live_blob(part(request, 1)), "application/octet-stream");
              }));
+  server.Get(run + "/geometry", answering([&runs](const Request& request, Response& answer) {
+               const RequestWords words(request.params.begin(), request.params.end());
+               put(answer, runs.geometry(part(request, 1), words), "application/octet-stream");
+             }));
   server.Get(run + "/picture", answering([&runs](const Request& request, Response& answer) {
-               const std::map<std::string, std::string> words(request.params.begin(), request.params.end());
+               const RequestWords words(request.params.begin(), request.params.end());
                put(answer, runs.picture_png(part(request, 1), words), "image/png");
              }));
 }

@@ -17,6 +17,7 @@
 #include "serve/active_run.h"
 #include "serve/bell.h"
 #include "serve/constants.h"
+#include "serve/export_file.h"
 #include "serve/frame_blob.h"
 #include "serve/new_folder.h"
 #include "serve/refusal.h"
@@ -299,7 +300,11 @@ void Runs::write_report(const std::string& id) {
   report::write_run_report(*state_->stored().read(id));
 }
 
-std::string Runs::picture_png(const std::string& id, const std::map<std::string, std::string>& words) {
+std::string Runs::geometry(const std::string& id, const RequestWords& words) {
+  return run_geometry(*state_->stored().read(id), words);
+}
+
+std::string Runs::picture_png(const std::string& id, const RequestWords& words) {
   return run_picture_png(*state_->stored().read(id), words);
 }
 

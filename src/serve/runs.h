@@ -3,11 +3,12 @@
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
-#include <map>
 #include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "serve/request_words.h"
 
 namespace knitmech::serve {
 
@@ -61,7 +62,10 @@ class Runs {
   void write_report(const std::string& id);
 
   /// A picture of a stored frame as `knitmech render` makes it. \param words frame, colour, view, width, height
-  [[nodiscard]] std::string picture_png(const std::string& id, const std::map<std::string, std::string>& words);
+  [[nodiscard]] std::string picture_png(const std::string& id, const RequestWords& words);
+
+  /// A file of `knitmech export` of a stored frame. \param words format, frame, ending
+  [[nodiscard]] std::string geometry(const std::string& id, const RequestWords& words);
 
   /// The folder of a run, for its files.
   [[nodiscard]] std::filesystem::path folder_of(const std::string& id);

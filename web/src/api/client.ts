@@ -78,6 +78,9 @@ export const pictureAddress = (id: string, words: Record<string, string>): strin
   `${runAddress(id)}/picture?${new URLSearchParams(words).toString()}`;
 export const fileAddress = (id: string, file: string): string => `runs/${encodeURIComponent(id)}/${file}`;
 
+export const geometryAddress = (id: string, words: { format: string; frame: string; ending: string }): string =>
+  `${runAddress(id)}/geometry?${new URLSearchParams(words).toString()}`;
+
 /** The bytes of a file of a run, or of a picture. */
 export const bytesAt = async (address: string, signal?: AbortSignal): Promise<globalThis.Blob> =>
   (await answerTo(address, signal === undefined ? {} : { signal })).blob();

@@ -270,5 +270,6 @@ export interface ExportFormat {
 
 // POST api/runs/ID/report -> {}: writes report.html anew.
 // GET api/runs/ID/picture?frame=0&colour=contact&view=front&width=1200: a PNG drawn by the program (words of knitmech render).
+// GET api/runs/ID/geometry?format=gltf&frame=3&ending=.glb: a file of knitmech export of a stored frame.
 // GET runs/ID/...: the files of the run folder: runs/ID/report.html, runs/ID/history.csv, runs/ID/figures/...
 // GET api/events: server-sent events: run (RunHead), gone ({id}).

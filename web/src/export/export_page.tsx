@@ -5,7 +5,7 @@ import type { JSX } from "preact";
 import { design } from "../state/design";
 import { details, followDetails } from "../state/run_details";
 import { areRead, newestFirst, runs } from "../state/runs";
-import { CaseCard, DeckCard } from "./case_cards";
+import { CaseCard, DeckCard, GeometryCard } from "./case_cards";
 import { PictureCard } from "./picture_card";
 import { CurveCard, FramesCard, ReportCard } from "./run_cards";
 import { chooseSubject, runId, subject, type Subject } from "./subject";
@@ -67,6 +67,7 @@ export function ExportPage(): JSX.Element {
       ) : (
         <div class="cards" key={runId.value ?? ""}>
           <DeckCard subject={subject.value} />
+          <GeometryCard subject={subject.value} />
           <CaseCard subject={subject.value} />
           <OfRun subject={subject.value} />
         </div>
