@@ -28,7 +28,7 @@ std::string in_roff(const std::string& text) {
 }
 
 std::string head_of(const OptionWords& option) {
-  const std::string value = option.value.empty() ? "" : "\\fI" + in_roff(option.value) + "\\fR";
+  std::string value = option.value.empty() ? "" : "\\fI" + in_roff(option.value) + "\\fR";
   if (option.names.empty()) return value;
   std::string text;
   for (const std::string& name : option.names) {

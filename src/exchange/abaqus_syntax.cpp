@@ -14,7 +14,9 @@ using enum Part;
 constexpr Field kText{Entry::text}, kWhole{Entry::whole}, kReal{Entry::real}, kVariable{Entry::variable};
 
 Fields reals(std::size_t n) {
-  return Fields(n, kReal);
+  Fields fields;
+  fields.assign(n, kReal);
+  return fields;
 }
 
 /// Lines of up to n real numbers, at least `fewest`.
