@@ -14,9 +14,9 @@
 
 #include "app/run_texts.h"
 #include "base/errors.h"
+#include "model/yarn_curve.h"
 #include "picture/frame_between.h"
 #include "picture/webp_film.h"
-#include "picture/yarn_curve.h"
 #include "results/atomic_file.h"
 #include "results/read_frame.h"
 
@@ -65,7 +65,7 @@ void write_film(const fs::path& file, const FilmTimes& times, double pause, std:
 }
 
 Extent extent_of(const model::Model& model, const model::Frame& frame, const picture::ViewAxes& axes) {
-  const std::vector<picture::CurvePiece> pieces = picture::yarn_curves(model, frame);
+  const std::vector<model::CurvePiece> pieces = model::yarn_curves(model, frame);
   if (pieces.empty()) {
     throw InputError(fmt::format("frame {} has no yarn whose position is known; leave it out", frame.index));
   }
@@ -112,7 +112,7 @@ class TurningExtents {
   TurningExtents(const model::Model& model, const model::Frame& frame, picture::View view, int n_directions) {
     const Extent upright = extent_of(model, frame, picture::axes_of(picture::View::front));
     middle_ = 0.5 * (upright.lowest + upright.highest);
-    const std::vector<picture::CurvePiece> pieces = picture::yarn_curves(model, frame);
+    const std::vector<model::CurvePiece> pieces = model::yarn_curves(model, frame);
     for (int i = 0; i < n_directions; ++i) {
       const picture::ViewAxes axes = picture::axes_of(view, 360.0 * i / n_directions);
       const Extent extent = picture::extent_along(axes, pieces);

@@ -49,11 +49,11 @@ ViewAxes axes_of(View view, double turn) {
   return axes;
 }
 
-Extent extent_along(const ViewAxes& axes, const std::vector<CurvePiece>& pieces) {
+Extent extent_along(const ViewAxes& axes, const std::vector<model::CurvePiece>& pieces) {
   Eigen::Matrix3d rotation;
   rotation << axes.right.transpose(), axes.up.transpose(), axes.towards_viewer.transpose();
   Extent extent{rotation * pieces.front().start, rotation * pieces.front().start};
-  for (const CurvePiece& piece : pieces) {
+  for (const model::CurvePiece& piece : pieces) {
     for (const double u : {0.0, 0.5, 1.0}) {
       const Vector3d point = rotation * piece.point(u);
       extent.lowest = extent.lowest.cwiseMin((point.array() - piece.radius).matrix());

@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "picture/yarn_curve.h"
+#include "model/yarn_curve.h"
 
 namespace knitmech::picture {
 
@@ -30,7 +30,7 @@ struct Extent {
   [[nodiscard]] Eigen::Vector3d size() const { return highest - lowest; }
 };
 /// pieces must not be empty.
-[[nodiscard]] Extent extent_along(const ViewAxes& axes, const std::vector<CurvePiece>& pieces);
+[[nodiscard]] Extent extent_along(const ViewAxes& axes, const std::vector<model::CurvePiece>& pieces);
 /// The smallest extent around two, which are along the same axes.
 [[nodiscard]] Extent around(const Extent& extent_a, const Extent& extent_b);
 

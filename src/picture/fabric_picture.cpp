@@ -8,11 +8,11 @@
 #include <thread>
 
 #include "base/errors.h"
+#include "model/yarn_curve.h"
 #include "picture/colour_bar.h"
 #include "picture/ray_tracer.h"
 #include "picture/text.h"
 #include "picture/ticks.h"
-#include "picture/yarn_curve.h"
 
 namespace knitmech::picture {
 namespace {
@@ -137,8 +137,8 @@ int thread_count(int wanted) {
   return wanted > 0 ? wanted : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
-std::vector<CurvePiece> drawn_curves(const model::Model& model, const model::Frame& frame) {
-  std::vector<CurvePiece> pieces = yarn_curves(model, frame);
+std::vector<model::CurvePiece> drawn_curves(const model::Model& model, const model::Frame& frame) {
+  std::vector<model::CurvePiece> pieces = model::yarn_curves(model, frame);
   if (pieces.empty()) {
     throw InputError(
         fmt::format("Frame {} has no yarn whose position is known, so there is nothing to draw.", frame.index));
@@ -146,7 +146,7 @@ std::vector<CurvePiece> drawn_curves(const model::Model& model, const model::Fra
   return pieces;
 }
 
-Extent drawn_extent(const std::vector<CurvePiece>& pieces, const PictureOptions& options) {
+Extent drawn_extent(const std::vector<model::CurvePiece>& pieces, const PictureOptions& options) {
   const Extent whole = options.extent ? *options.extent : extent_along(axes_of(options.view, options.turn), pieces);
   return part_of(whole, options.window);
 }

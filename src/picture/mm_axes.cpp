@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "model/yarn_curve.h"
 #include "picture/svg.h"
-#include "picture/yarn_curve.h"
 
 namespace knitmech::picture {
 namespace {
@@ -77,7 +77,7 @@ std::string axes_elements(const MmAxes& axes, const std::string& label_across, c
 
 std::vector<PlaneLine> centrelines(const model::Model& model, const model::Frame& frame, int across, int up) {
   std::vector<PlaneLine> lines;
-  for (const CurvePiece& piece : yarn_curves(model, frame)) {
+  for (const model::CurvePiece& piece : model::yarn_curves(model, frame)) {
     if (lines.empty() || !piece.continues_piece_before) lines.push_back({{piece.start[across], piece.start[up]}});
     for (int k = 1; k <= kPointsPerElement; ++k) {
       const Eigen::Vector3d point = piece.point(static_cast<double>(k) / kPointsPerElement);

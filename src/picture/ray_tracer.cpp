@@ -50,7 +50,7 @@ class CoveredPixels {
       : width_(image.width()),
         height_(image.height()),
         covered_(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_), 0) {
-    for (const CurvePiece& piece : drawing.scene.pieces()) {
+    for (const model::CurvePiece& piece : drawing.scene.pieces()) {
       for (int k = 0; k < kStraightPiecesPerElement; ++k) {
         const double u = static_cast<double>(k) / kStraightPiecesPerElement;
         const Vector2d a = drawing.camera.place_of(piece.point(u));
@@ -121,7 +121,7 @@ class BackdropLight {
 
 double largest_diameter(const TubeScene& scene) {
   double diameter = 0;
-  for (const CurvePiece& piece : scene.pieces()) {
+  for (const model::CurvePiece& piece : scene.pieces()) {
     diameter = std::max(diameter, 2 * piece.radius);
   }
   return diameter;

@@ -33,14 +33,14 @@ struct Segments {
   std::vector<unsigned char> flags;
 };
 
-Segments cut(const std::vector<CurvePiece>& pieces) {
+Segments cut(const std::vector<model::CurvePiece>& pieces) {
   Segments segments;
-  const auto add_vertex = [&segments](const CurvePiece& piece, double u) {
+  const auto add_vertex = [&segments](const model::CurvePiece& piece, double u) {
     const Eigen::Vector3f point = piece.point(u).cast<float>();
     segments.vertices.emplace_back(point.x(), point.y(), point.z(), static_cast<float>(piece.radius));
   };
   for (std::size_t p = 0; p < pieces.size(); ++p) {
-    const CurvePiece& piece = pieces[p];
+    const model::CurvePiece& piece = pieces[p];
     const bool continued = p + 1 < pieces.size() && pieces[p + 1].continues_piece_before;
     if (!piece.continues_piece_before) {
       add_vertex(piece, 0);
@@ -91,7 +91,7 @@ struct TubeScene::Handles {
   }
 };
 
-TubeScene::TubeScene(std::vector<CurvePiece> pieces)
+TubeScene::TubeScene(std::vector<model::CurvePiece> pieces)
     : pieces_(std::move(pieces)), handles_(std::make_unique<Handles>()) {
   // One building thread, so that the tree, and with it every rounding, is the same in each run.
   handles_->device = rtcNewDevice("threads=1");
@@ -130,7 +130,7 @@ std::optional<TubeHit> TubeScene::first_hit(const Vector3d& origin, const Vector
   hit.parameter = (segment % kStraightPiecesPerElement + static_cast<double>(query.hit.u)) / kStraightPiecesPerElement;
   hit.point = origin + static_cast<double>(query.ray.tfar) * direction;
   // The tube is drawn in straight pieces but shaded as the smooth one.
-  const CurvePiece& piece = pieces_[static_cast<std::size_t>(hit.piece)];
+  const model::CurvePiece& piece = pieces_[static_cast<std::size_t>(hit.piece)];
   const Vector3d tangent = piece.tangent(hit.parameter);
   const Vector3d outward = hit.point - piece.point(hit.parameter);
   const Vector3d across = outward - outward.dot(tangent) * tangent;

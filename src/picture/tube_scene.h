@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "picture/yarn_curve.h"
+#include "model/yarn_curve.h"
 
 namespace knitmech::picture {
 
@@ -23,14 +23,14 @@ struct TubeHit {
 /// Rays may be shot from several threads at once.
 class TubeScene {
  public:
-  explicit TubeScene(std::vector<CurvePiece> pieces);
+  explicit TubeScene(std::vector<model::CurvePiece> pieces);
   ~TubeScene();
   TubeScene(const TubeScene&) = delete;
   TubeScene& operator=(const TubeScene&) = delete;
   TubeScene(TubeScene&&) = delete;
   TubeScene& operator=(TubeScene&&) = delete;
 
-  [[nodiscard]] const std::vector<CurvePiece>& pieces() const { return pieces_; }
+  [[nodiscard]] const std::vector<model::CurvePiece>& pieces() const { return pieces_; }
 
   /// First yarn that a ray meets; direction is a unit vector.
   [[nodiscard]] std::optional<TubeHit> first_hit(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction) const;
@@ -40,7 +40,7 @@ class TubeScene {
 
  private:
   struct Handles;
-  std::vector<CurvePiece> pieces_;
+  std::vector<model::CurvePiece> pieces_;
   std::unique_ptr<Handles> handles_;
 };
 

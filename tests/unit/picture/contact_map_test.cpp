@@ -8,8 +8,8 @@
 #include <regex>
 #include <vector>
 
+#include "../../support/straight_yarn.h"
 #include "base/errors.h"
-#include "straight_yarn.h"
 
 namespace knitmech::picture {
 namespace {

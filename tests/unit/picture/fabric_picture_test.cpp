@@ -7,8 +7,8 @@
 #include <cstdlib>
 #include <limits>
 
+#include "../../support/straight_yarn.h"
 #include "base/errors.h"
-#include "straight_yarn.h"
 
 namespace knitmech::picture {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "straight_yarn.h"
+#include "../../support/straight_yarn.h"
 
 namespace knitmech::picture {
 namespace {

@@ -9,8 +9,8 @@
 #include <sstream>
 #include <vector>
 
+#include "../../support/straight_yarn.h"
 #include "base/errors.h"
-#include "straight_yarn.h"
 
 namespace knitmech::picture {
 namespace {

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "straight_yarn.h"
+#include "../../support/straight_yarn.h"
 
 namespace knitmech::picture {
 namespace {

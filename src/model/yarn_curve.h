@@ -6,7 +6,7 @@
 #include "model/frame.h"
 #include "model/model.h"
 
-namespace knitmech::picture {
+namespace knitmech::model {
 
 /// The smooth centreline of one element: a cubic Hermite curve between its two nodes.
 struct CurvePiece {
@@ -21,12 +21,17 @@ struct CurvePiece {
   [[nodiscard]] Eigen::Vector3d point(double u) const;
   /// Unit tangent at the parameter u.
   [[nodiscard]] Eigen::Vector3d tangent(double u) const;
+  /// Second derivative with respect to the parameter [mm]; it is linear in u.
+  [[nodiscard]] Eigen::Vector3d second_derivative(double u) const;
 };
 
 /// The centrelines of a frame, element by element. The tangents are those of the true loop curve at the start, turned
 /// with their nodes, and as long as the element's rest arc length, so the yarn looks smooth on a coarse mesh.
 ///
 /// Elements that have broken, or have a position or rotation that is not a finite number, are left out.
-[[nodiscard]] std::vector<CurvePiece> yarn_curves(const model::Model& model, const model::Frame& frame);
+[[nodiscard]] std::vector<CurvePiece> yarn_curves(const Model& model, const Frame& frame);
 
-}  // namespace knitmech::picture
+/// The same of the fabric as it was knitted.
+[[nodiscard]] std::vector<CurvePiece> yarn_curves(const Model& model);
+
+}  // namespace knitmech::model

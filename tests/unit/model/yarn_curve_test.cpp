@@ -1,4 +1,4 @@
-#include "picture/yarn_curve.h"
+#include "model/yarn_curve.h"
 
 #include <gtest/gtest.h>
 
@@ -7,17 +7,17 @@
 #include <limits>
 #include <numbers>
 
-#include "straight_yarn.h"
+#include "../../support/straight_yarn.h"
 
-namespace knitmech::picture {
+namespace knitmech::model {
 namespace {
 
 using Eigen::Vector3d;
 
 /// A quarter circle of radius 1 mm in the x-y plane with one element, straight along x at rest.
 struct QuarterCircle {
-  model::Model model;
-  model::Frame frame;
+  Model model;
+  Frame frame;
 
   QuarterCircle() {
     const double length = std::numbers::pi / 2;
@@ -56,9 +56,28 @@ TEST(YarnCurve, TheTangentIsTheDerivativeOfThePoint) {
   }
 }
 
+TEST(YarnCurve, TheSecondDerivativeIsThatOfThePoint) {
+  const QuarterCircle circle;
+  const CurvePiece piece = yarn_curves(circle.model, circle.frame).front();
+  constexpr double kStep = 1e-3;  // a central difference is exact for a cubic, but for rounding
+  for (const double u : {0.0, 0.37, 1.0}) {
+    const Vector3d difference = piece.point(u + kStep) - 2 * piece.point(u) + piece.point(u - kStep);
+    EXPECT_TRUE(piece.second_derivative(u).isApprox(difference / (kStep * kStep), 1e-8)) << u;
+  }
+}
+
+TEST(YarnCurve, OfTheModelIsThatOfItsUndeformedFrame) {
+  const QuarterCircle circle;
+  const CurvePiece start = yarn_curves(circle.model).at(0);
+  const CurvePiece undeformed = yarn_curves(circle.model, test::undeformed(circle.model)).at(0);
+  for (const double u : {0.0, 0.3, 1.0}) EXPECT_TRUE(start.point(u).isApprox(undeformed.point(u), 1e-15)) << u;
+  EXPECT_EQ(start.end, Vector3d(std::numbers::pi / 2, 0, 0));
+  EXPECT_DOUBLE_EQ(start.radius, 0.05);
+}
+
 TEST(YarnCurve, LeavesOutElementsWithoutAKnownPosition) {
-  const model::Model model = test::straight_yarn();
-  model::Frame frame = test::undeformed(model);
+  const Model model = test::straight_yarn();
+  Frame frame = test::undeformed(model);
   frame.points[5].x() = std::numeric_limits<double>::quiet_NaN();
   const std::vector<CurvePiece> pieces = yarn_curves(model, frame);
   ASSERT_EQ(pieces.size(), 8U) << "ten, less the two at node 5";
@@ -69,8 +88,8 @@ TEST(YarnCurve, LeavesOutElementsWithoutAKnownPosition) {
 }
 
 TEST(YarnCurve, LeavesOutElementsThatHaveBroken) {
-  const model::Model model = test::straight_yarn();
-  model::Frame frame = test::undeformed(model);
+  const Model model = test::straight_yarn();
+  Frame frame = test::undeformed(model);
   frame.broken = {3, 7};
   const std::vector<CurvePiece> pieces = yarn_curves(model, frame);
   ASSERT_EQ(pieces.size(), 8U);
@@ -82,4 +101,4 @@ TEST(YarnCurve, LeavesOutElementsThatHaveBroken) {
 }
 
 }  // namespace
-}  // namespace knitmech::picture
+}  // namespace knitmech::model
