@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 
 namespace knitmech::exchange {
 
@@ -30,5 +31,16 @@ inline constexpr double kCurveReach = 1;
 /// Largest cosine [-] between an element and the first axis of its section: 45 degrees. Abaqus needs the two not
 /// parallel; any direction has a coordinate axis at least 54.7 degrees away from it, so a fitting axis always exists.
 inline constexpr double kLargestFirstAxisCosine = 0.7071067811865476;
+
+/// How far the straight pieces of a yarn in a geometry file are from its smooth centreline at most, as a share of its
+/// radius [-]; usual 0.03, about as far as a polygon of 12 sides is from its circle. Less: smoother and larger files.
+inline constexpr double kChordErrorShare = 0.03;
+
+/// Straight pieces of an element at most [-]. Only an element very much longer than its yarn is thick needs as many.
+inline constexpr int kMostStepsPerElement = 1000;
+
+/// Largest file of tubes [bytes]: the length of a binary glTF file is a number of 32 bits (glTF 2.0, 4.4.2). The other
+/// formats are held to it too, since a file is made, and read by other programs, in memory.
+inline constexpr std::uint64_t kMostFileBytes = 0xffffffff;
 
 }  // namespace knitmech::exchange

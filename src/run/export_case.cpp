@@ -8,6 +8,7 @@
 #include "base/errors.h"
 #include "base/text.h"
 #include "run/export_decks.h"
+#include "run/export_geometry.h"
 
 namespace knitmech::run {
 namespace {
@@ -18,6 +19,13 @@ const std::vector<ExportFormat>& all_formats() {
   using enum ExportKind;
   static const std::vector<ExportFormat> formats{
       {"abaqus", "Abaqus/Explicit input file", deck, {".inp"}, abaqus_files},
+      {"vtp", "Yarns as lines for ParaView", geometry, {".vtp"}, vtp_files},
+      {"gltf", "Yarns as tubes, binary glTF 2.0", geometry, {".glb"}, gltf_files},
+      {"obj", "Yarns as tubes, Wavefront OBJ", geometry, {".obj"}, obj_files},
+      {"stl", "Yarns as tubes, binary STL", geometry, {".stl"}, stl_files},
+      {"csv", "Yarn centrelines, a table of points", geometry, {".csv"}, csv_files},
+      {"bcc", "Yarn centrelines, binary curve collection", geometry, {".bcc"}, bcc_files},
+      {"yarns", "Yarn centrelines of the CMU Textiles Lab", geometry, {".yarns"}, yarns_files},
   };
   return formats;
 }
