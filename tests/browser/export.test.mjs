@@ -26,6 +26,15 @@ test("Given a run, when its deck is saved, then it is the one of knitmech export
   assert.deepEqual(bytes.toString(), runProgram(it.folder, "export", "results/jersey/case.toml", "-f", "abaqus"));
 });
 
+test("Given a stored strain, when the geometry is saved, then it is the one of knitmech export.", async () => {
+  const geometry = card("Geometry");
+  await geometry.getByRole("combobox", { name: "Format" }).selectOption("obj");
+  await geometry.getByRole("combobox", { name: "Frame of the geometry" }).selectOption("1");
+  const { name, bytes } = await downloaded(geometry.locator("button.main"));
+  assert.match(name, /^jersey\.obj$/);
+  assert.equal(bytes.toString(), runProgram(it.folder, "export", "results/jersey", "-f", "obj", "--frame", "1"));
+});
+
 test("Given a run, when its curve is saved, then it is history.csv.", async () => {
   const { bytes } = await downloaded(card("Curve").getByRole("button", { name: /history\.csv/ }));
   assert.deepEqual(bytes, readFileSync(join(it.folder, "results/jersey/history.csv")));
