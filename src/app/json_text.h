@@ -7,17 +7,11 @@
 
 #include "app/commands.h"
 #include "app/yarn_analysis.h"
-#include "model/facts.h"
-#include "run/load_case.h"
 
 namespace knitmech::app {
 
 /// {"error": {"message": ..., "exit_code": ..., and for a mistake in a case file "file", "line", "key"}}
 [[nodiscard]] std::string error_json(const std::runtime_error& error, ExitCode code);
-
-/// What `check --json` prints; the units are in the keys.
-[[nodiscard]] std::string check_json(const run::LoadedCase& loaded, const model::FabricFacts& facts,
-                                     double mass_scaling);
 
 /// What `run --json` prints: the summary of the run folder, and where that is.
 [[nodiscard]] std::string run_json(const std::string& summary, const std::filesystem::path& folder);

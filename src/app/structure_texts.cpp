@@ -17,18 +17,6 @@ std::string adjusted_text(const model::FabricFacts& facts) {
 
 }  // namespace
 
-std::string structure_name(knit::Structure structure) {
-  switch (structure) {
-    case knit::Structure::basic:
-      return "basic";
-    case knit::Structure::tied:
-      return "tied";
-    case knit::Structure::adjusted:
-      break;
-  }
-  return "adjusted";
-}
-
 std::string structure_text(const model::Case& input, const model::FabricFacts& facts) {
   switch (input.fabric.structure) {
     case knit::Structure::basic:

@@ -8,9 +8,6 @@
 
 namespace knitmech::app {
 
-/// "basic", "tied" or "adjusted".
-[[nodiscard]] std::string structure_name(knit::Structure structure);
-
 /// How the side edges are made: "tied: 112 crossings of the edge stitches are tied".
 [[nodiscard]] std::string structure_text(const model::Case& input, const model::FabricFacts& facts);
 
