@@ -26,11 +26,7 @@ using Files = std::vector<run::ExportedFile>;
 /// The name of the files without what the format adds: of the file that is asked for, or of the source.
 std::string stem_of(const ExportOptions& options, const run::ExportFormat& format) {
   if (options.file.empty()) return fs::path(options.source).stem().string();
-  const std::string name = fs::path(options.file).filename().string();
-  for (const std::string_view ending : format.endings) {
-    if (name.size() > ending.size() && name.ends_with(ending)) return name.substr(0, name.size() - ending.size());
-  }
-  return fs::path(name).stem().string();
+  return run::export_stem(options.file, format);
 }
 
 Files files_of_case(const ExportOptions& options, const run::ExportFormat& format) {
@@ -58,12 +54,6 @@ void refuse_to_replace_the_source(const ExportOptions& options, const fs::path& 
   }
 }
 
-/// One file goes to just the name that is given, several to that name with what the format adds.
-fs::path path_of(const ExportOptions& options, const run::ExportFormat& format, std::string_view ending) {
-  if (format.endings.size() == 1) return options.file;
-  return fs::path(options.file).parent_path() / (stem_of(options, format) + std::string(ending));
-}
-
 void check_output(const ExportOptions& options, const run::ExportFormat& format) {
   if (!options.file.empty()) return;
   if (options.json) throw InputError("export --json tells which files were written; say where to with -o");
@@ -85,11 +75,11 @@ ExitCode run_command(const ExportOptions& options) {
     return kDone;
   }
   for (const run::ExportedFile& file : files) {
-    refuse_to_replace_the_source(options, path_of(options, format, file.ending));
+    refuse_to_replace_the_source(options, run::export_path(options.file, format, file.ending));
   }
   std::vector<fs::path> written;
   for (const run::ExportedFile& file : files) {
-    written.push_back(path_of(options, format, file.ending));
+    written.push_back(run::export_path(options.file, format, file.ending));
     results::write_file_atomically(written.back(), file.bytes);
     if (options.json) continue;
     fmt::print("Wrote {}: {}, {:.3g} kB\n", written.back().string(), format.label,

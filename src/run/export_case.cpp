@@ -47,6 +47,20 @@ const ExportFormat& export_format(std::string_view name) {
       nearest.empty() ? "the formats are " + base::alternatives(names) : fmt::format("did you mean {}?", nearest)));
 }
 
+std::string export_stem(const std::filesystem::path& file, const ExportFormat& format) {
+  const std::string name = file.filename().string();
+  for (const std::string_view ending : format.endings) {
+    if (name.size() > ending.size() && name.ends_with(ending)) return name.substr(0, name.size() - ending.size());
+  }
+  return file.stem().string();
+}
+
+std::filesystem::path export_path(const std::filesystem::path& file, const ExportFormat& format,
+                                  std::string_view ending) {
+  if (format.endings.size() == 1) return file;
+  return file.parent_path() / (export_stem(file, format) + std::string(ending));
+}
+
 std::vector<ExportedFile> exported(const ExportSource& source, const ExportFormat& format) {
   if (source.frame != nullptr && format.kind == ExportKind::deck) {
     throw InputError(fmt::format("the format {} has no frames: a deck starts with the fabric as it was knitted",

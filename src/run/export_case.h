@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <span>
 #include <string>
 #include <string_view>
@@ -45,6 +46,14 @@ struct ExportFormat {
 
 /// The format of a name. @throws InputError if there is none
 [[nodiscard]] const ExportFormat& export_format(std::string_view name);
+
+/// The name that the files of a format share, of the name that is asked for: without an ending of the format, or what
+/// else stands behind the last dot.
+[[nodiscard]] std::string export_stem(const std::filesystem::path& file, const ExportFormat& format);
+
+/// Where a file of an export goes: one file to just the name that is asked for, several to its stem and their endings.
+[[nodiscard]] std::filesystem::path export_path(const std::filesystem::path& file, const ExportFormat& format,
+                                                std::string_view ending);
 
 /// The files of a source in a format.
 /// @throws InputError for a frame in a format that has none, or sides that make no tube
