@@ -7,12 +7,12 @@
 #include <system_error>
 
 #include "app/commands.h"
-#include "app/compare_files.h"
 #include "app/compare_texts.h"
 #include "app/curve_results.h"
 #include "app/option_quantity.h"
 #include "base/errors.h"
 #include "base/text.h"
+#include "compare/comparison_files.h"
 #include "compare/comparison_table.h"
 #include "picture/comparison_chart.h"
 #include "results/atomic_file.h"
@@ -59,25 +59,27 @@ ComparedRun compare_run(const CompareOptions& options) {
 }
 
 void write_results(const fs::path& folder, const ComparedRun& compared, const std::vector<std::string>& files) {
-  make_curve_folder(folder, {kCompareTable, kCompareJson, kCompareChart}, files);
+  make_curve_folder(folder, {compare::kCompareTable, compare::kCompareJson, compare::kCompareChart}, files);
   const double width = compared.same_width() ? compared.simulated.width : 0;
-  results::write_file_atomically(folder / kCompareTable, compare::comparison_table(compared.comparison));
-  results::write_file_atomically(folder / kCompareJson, compare_json(compared, folder) + "\n");
-  results::write_file_atomically(folder / kCompareChart, picture::chart_svg(picture::comparison_chart(
-                                                             compared.comparison, compared.simulated.title, width)));
+  results::write_file_atomically(folder / compare::kCompareTable, compare::comparison_table(compared.comparison));
+  results::write_file_atomically(folder / compare::kCompareJson, compare_json(compared, folder) + "\n");
+  results::write_file_atomically(
+      folder / compare::kCompareChart,
+      picture::chart_svg(picture::comparison_chart(compared.comparison, compared.simulated.title, width)));
 }
 
 }  // namespace
 
 ExitCode run_command(const CompareOptions& options) {
   const ComparedRun compared = compare_run(options);
-  const fs::path folder = options.folder.empty() ? fs::path(options.run) / kCompareFolder : fs::path(options.folder);
+  const fs::path folder =
+      options.folder.empty() ? fs::path(options.run) / compare::kCompareFolder : fs::path(options.folder);
   write_results(folder, compared, options.files);
   if (options.json) {
     fmt::print("{}\n", compare_json(compared, folder));
   } else {
-    fmt::print("{}Results: {}\n  {}, {}, {}\n", compare_text(compared), folder.string(), kCompareTable, kCompareJson,
-               kCompareChart);
+    fmt::print("{}Results: {}\n  {}, {}, {}\n", compare_text(compared), folder.string(), compare::kCompareTable,
+               compare::kCompareJson, compare::kCompareChart);
   }
   return kDone;
 }

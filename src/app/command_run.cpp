@@ -8,11 +8,11 @@
 #include <utility>
 
 #include "app/commands.h"
-#include "app/compare_files.h"
 #include "app/interrupt.h"
 #include "app/json_text.h"
 #include "app/progress.h"
 #include "app/run_texts.h"
+#include "compare/comparison_files.h"
 #include "model/bending_measure.h"
 #include "model/facts.h"
 #include "report/run_report.h"
@@ -57,7 +57,7 @@ void print_head(const run::RunStart& start, const solve::SimulationSettings& set
 void remove_what_shows_an_earlier_run(const run::RunStart& start) {
   if (start.checkpoint || !results::is_summary(start.folder / results::kSummaryFile)) return;
   report::remove_run_report(start.folder);
-  remove_comparison(start.folder);
+  compare::remove_comparison(start.folder);
 }
 
 run::RunResult run_with_progress(run::RunStart& start, const run::RunSettings& settings, bool talks) {

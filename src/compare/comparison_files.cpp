@@ -1,6 +1,6 @@
-#include "app/compare_files.h"
+#include "compare/comparison_files.h"
 
-namespace knitmech::app {
+namespace knitmech::compare {
 
 namespace fs = std::filesystem;
 
@@ -10,4 +10,4 @@ void remove_comparison(const fs::path& run) {
   if (fs::is_directory(folder) && fs::is_empty(folder)) fs::remove(folder);
 }
 
-}  // namespace knitmech::app
+}  // namespace knitmech::compare

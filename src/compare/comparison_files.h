@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-namespace knitmech::app {
+namespace knitmech::compare {
 
 /// In the folder of a run.
 inline constexpr const char* kCompareFolder = "compare";
@@ -14,4 +14,4 @@ inline constexpr const char* kCompareChart = "compare.svg";
 /// Removes the comparison in the folder of a run that goes on or begins anew, to which it would not belong.
 void remove_comparison(const std::filesystem::path& run);
 
-}  // namespace knitmech::app
+}  // namespace knitmech::compare
