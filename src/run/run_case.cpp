@@ -27,6 +27,7 @@ model::RunOutcome simulate_into(results::RunFolder& folder, RunPictures& picture
     if (listener.on_history) listener.on_history(row);
   };
   callbacks.on_frame = [&](model::Frame frame) {
+    if (listener.on_frame) listener.on_frame(frame);
     pictures.add_frame(frame);
     folder.add_frame(std::move(frame));
   };

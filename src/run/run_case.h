@@ -21,6 +21,7 @@ struct RunSettings {
 /// Who listens to a run, and may end it. All are called on the thread of the run and may be empty.
 struct RunListener {
   std::function<void(const model::HistoryRow&)> on_history{};
+  std::function<void(const model::Frame&)> on_frame{};  ///< each that is stored
   /// False ends the run, which can be gone on with later. The run pauses as long as this blocks.
   std::function<bool()> keep_going{};
   std::function<bool()> wants_view{};           ///< see solve::SimulationCallbacks
