@@ -172,7 +172,10 @@ std::string section_text(const Case& input, const CaseSection& section) {
     if (section_name_of(parameter.key) != section.name) continue;
     const Value value = value_in(input, parameter);
     const bool not_given = parameter.need == Need::optional && std::holds_alternative<std::monostate>(value);
-    if (!not_given) text += fmt::format("{}  # {}\n", assignment(parameter, value), parameter.help);
+    // Of a test that ends before the first default frame; a file may not say so.
+    const auto* list = std::get_if<std::vector<double>>(&value);
+    const bool is_empty = list != nullptr && list->empty();
+    if (!not_given && !is_empty) text += fmt::format("{}  # {}\n", assignment(parameter, value), parameter.help);
   }
   return text;
 }

@@ -92,6 +92,13 @@ TEST(CaseFile, WrittenAndReadAgainHasTheSameBits) {
   expect_same_values(parse_case(write_case(input), "written"), input);
 }
 
+TEST(CaseFile, OfATestThatEndsBeforeTheFirstDefaultFrameIsReadAgain) {
+  const std::string text = replaced(case_template(), "# strain = 0.22", "strain = 0.02");
+  const Case input = parse_case(text, "short");
+  EXPECT_TRUE(input.output.frames_at.empty());
+  expect_same_values(parse_case(write_case(input), "written"), input);
+}
+
 TEST(CaseFile, WrittenKeepsTheStiffnessesInPlaceOfTheModulus) {
   Case input = parse_case(case_template(), "template");
   input.yarn.youngs_modulus.reset();
