@@ -1,6 +1,6 @@
 # cmake --install puts the program into bin, the libraries into lib, the headers into include/knitmech, and a CMake package
 # beside the libraries: find_package(KnitMech) gives knitmech::knit, knitmech::solve and the other folders of src/, but not
-# app and serve, which are the program itself.
+# app and serve, which are the program itself. python/ installs the Python module.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/KnitMech)

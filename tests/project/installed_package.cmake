@@ -1,5 +1,5 @@
-# Installs the build into a prefix of its own, builds a small program against the installed package, and runs both that and
-# the installed knitmech.
+# Installs the build into a prefix of its own, builds a small program against the installed package, and runs that, the
+# installed knitmech and, where it was built, the installed Python module.
 set(prefix ${work_dir}/prefix)
 file(REMOVE_RECURSE ${work_dir})
 
@@ -27,4 +27,12 @@ endif()
 run(${prefix}/bin/knitmech --version)
 if(NOT output MATCHES "[0-9]+\\.[0-9]+\\.[0-9]+")
   message(FATAL_ERROR "The installed knitmech --version printed: ${output}")
+endif()
+
+if(python)
+  run(${CMAKE_COMMAND} -E env PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=${prefix}/${python_site}
+    ${python} -c "import knitmech; print(knitmech.__file__, knitmech.Case.read('${case_file}').model())")
+  if(NOT output STREQUAL "${prefix}/${python_site}/knitmech/__init__.py <knitmech.Model of 2715 nodes and 2700 elements>")
+    message(FATAL_ERROR "The installed Python module printed: ${output}")
+  endif()
 endif()
