@@ -31,7 +31,7 @@ endif()
 
 if(python)
   run(${CMAKE_COMMAND} -E env PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=${prefix}/${python_site}
-    ${python} -c "import knitmech; print(knitmech.__file__, knitmech.Case.read('${case_file}').model())")
+    ${python} -c "import knitmech\nprint(knitmech.__file__, knitmech.Case.read('${case_file}').model())")
   if(NOT output STREQUAL "${prefix}/${python_site}/knitmech/__init__.py <knitmech.Model of 2715 nodes and 2700 elements>")
     message(FATAL_ERROR "The installed Python module printed: ${output}")
   endif()
