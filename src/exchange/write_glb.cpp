@@ -97,7 +97,8 @@ class Glb {
     file += text;
     put(file, static_cast<std::uint32_t>(binary_.size()));
     put(file, kBinaryChunk);
-    return file += binary_;
+    file += binary_;
+    return file;
   }
 
  private:

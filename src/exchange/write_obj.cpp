@@ -8,7 +8,8 @@
 namespace knitmech::exchange {
 namespace {
 
-constexpr std::uint64_t kFewestBytesOfPoint = 60;  ///< its line, that of its normal, and two triangles
+// Its line, that of its normal, and two triangles, of which every point of a long tube has its share.
+constexpr std::uint64_t kFewestBytesOfPoint = 60, kUsualBytesOfPoint = 180;
 
 /// A text on one line, as a comment needs it.
 std::string in_one_line(std::string text) {
@@ -17,10 +18,10 @@ std::string in_one_line(std::string text) {
   return text;
 }
 
-void check_least_size(const YarnTubes& tubes) {
+std::uint64_t n_points_of(const std::vector<YarnRow>& rows, int sides) {
   std::uint64_t n_points = 0;
-  for (const YarnRow row : tube_rows(tubes.pieces)) n_points += tube_size(row, tubes.sides).points;
-  check_file_size(kFewestBytesOfPoint * n_points);
+  for (const YarnRow row : rows) n_points += tube_size(row, sides).points;
+  return n_points;
 }
 
 /// Numbers of points and normals that came before; both are counted from 1 through the whole file.
@@ -48,12 +49,15 @@ void add_mesh(std::string& text, const TubeMesh& mesh, Before& before) {
 }  // namespace
 
 std::string obj_text(const YarnTubes& tubes) {
-  check_least_size(tubes);
+  const std::vector<YarnRow> rows = tube_rows(tubes.pieces);
+  const std::uint64_t n_points = n_points_of(rows, tubes.sides);
+  check_file_size(kFewestBytesOfPoint * n_points);
   std::string text = fmt::format("# {}\n# Yarns as tubes, written by KnitMech; lengths in mm, y up the wales\n",
                                  in_one_line(tubes.title));
+  text.reserve(kUsualBytesOfPoint * n_points);
   Before before;
   int yarn = -1;
-  for (const YarnRow row : tube_rows(tubes.pieces)) {
+  for (const YarnRow row : rows) {
     const TubeMesh mesh = tube_mesh(row, tubes.sides);
     if (mesh.yarn != yarn) text += fmt::format("o yarn_{}\n", mesh.yarn + 1);
     yarn = mesh.yarn;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "base/errors.h"
 #include "curves/write_lines.h"
@@ -26,6 +27,13 @@ std::string title_of(const ExportSource& source) {
   return fmt::format("{}, strain {:.4g}", source.model.title, source.frame->history.strain);
 }
 
+/// A list in braces would copy the text, which may be of gigabytes.
+std::vector<std::string> one_file(std::string bytes) {
+  std::vector<std::string> files;
+  files.push_back(std::move(bytes));
+  return files;
+}
+
 exchange::YarnTubes tubes_of(const ExportSource& source) {
   return {.title = title_of(source), .pieces = curves_of(source), .sides = source.sides};
 }
@@ -47,31 +55,31 @@ std::vector<curves::YarnLine> lines_of(const ExportSource& source) {
 
 std::vector<std::string> vtp_files(const ExportSource& source) {
   const double strain = source.frame == nullptr ? 0 : source.frame->history.strain;
-  return {exchange::vtp_text(source.model, curves_of(source), strain)};
+  return one_file(exchange::vtp_text(source.model, curves_of(source), strain));
 }
 
 std::vector<std::string> gltf_files(const ExportSource& source) {
-  return {exchange::glb_bytes(tubes_of(source))};
+  return one_file(exchange::glb_bytes(tubes_of(source)));
 }
 
 std::vector<std::string> obj_files(const ExportSource& source) {
-  return {exchange::obj_text(tubes_of(source))};
+  return one_file(exchange::obj_text(tubes_of(source)));
 }
 
 std::vector<std::string> stl_files(const ExportSource& source) {
-  return {exchange::stl_bytes(tubes_of(source))};
+  return one_file(exchange::stl_bytes(tubes_of(source)));
 }
 
 std::vector<std::string> csv_files(const ExportSource& source) {
-  return {curves::csv_text(lines_of(source))};
+  return one_file(curves::csv_text(lines_of(source)));
 }
 
 std::vector<std::string> bcc_files(const ExportSource& source) {
-  return {curves::bcc_text(lines_of(source))};
+  return one_file(curves::bcc_text(lines_of(source)));
 }
 
 std::vector<std::string> yarns_files(const ExportSource& source) {
-  return {curves::yarns_text(lines_of(source))};
+  return one_file(curves::yarns_text(lines_of(source)));
 }
 
 }  // namespace knitmech::run
