@@ -33,6 +33,10 @@ std::uint64_t n_vertices(const TubeSize& size, std::uint64_t sides) {
   return size.points + 2 * sides;
 }
 
+std::uint64_t n_vertices(const TubeMesh& mesh) {
+  return mesh.points.size() + 2 * std::uint64_t{mesh.sides};
+}
+
 /// The highest number of 16 bits is no index (3.7.2.1).
 bool fits_short(std::uint64_t vertices) {
   return vertices <= std::numeric_limits<std::uint16_t>::max();
@@ -139,7 +143,7 @@ class Glb {
     }
     return described(first, kVertices,
                      {{"componentType", kFloat},
-                      {"count", points.size() + 2 * mesh.sides},
+                      {"count", n_vertices(mesh)},
                       {"type", "VEC3"},
                       {"min", as_numbers(lowest)},
                       {"max", as_numbers(highest)}});
@@ -152,13 +156,12 @@ class Glb {
     for (const std::size_t end : {n_points, n_points + 1}) {
       put_vectors(std::vector<Eigen::Vector3f>(mesh.sides, mesh.normals[end]));
     }
-    return described(first, kVertices,
-                     {{"componentType", kFloat}, {"count", n_points + 2 * mesh.sides}, {"type", "VEC3"}});
+    return described(first, kVertices, {{"componentType", kFloat}, {"count", n_vertices(mesh)}, {"type", "VEC3"}});
   }
 
   std::size_t add_indices(const TubeMesh& mesh) {
     const std::size_t first = binary_.size();
-    const bool is_short = fits_short(mesh.points.size() + 2 * mesh.sides);
+    const bool is_short = fits_short(n_vertices(mesh));
     for (const auto& triangle : mesh.triangles) {
       for (const TubeCorner& corner : triangle) {
         const std::uint32_t vertex = vertex_of(mesh, corner);
