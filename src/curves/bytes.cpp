@@ -18,7 +18,7 @@ void put_point(std::string& bytes, const Eigen::Vector3d& point) {
   }
 }
 
-Eigen::Vector3d point_at(const std::string& bytes, std::size_t place) {
+Eigen::Vector3d point_at(std::string_view bytes, std::size_t place) {
   constexpr std::size_t kNumber = sizeof(float);
   return {number_at<float>(bytes, place), number_at<float>(bytes, place + kNumber),
           number_at<float>(bytes, place + 2 * kNumber)};

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <cstring>
 #include <string>
+#include <string_view>
 
 namespace knitmech::curves {
 
@@ -24,13 +25,13 @@ void put_point(std::string& bytes, const Eigen::Vector3d& point);
 
 /// The number whose bytes begin at a place, which must have enough of them behind it.
 template <typename Number>
-[[nodiscard]] Number number_at(const std::string& bytes, std::size_t place) {
+[[nodiscard]] Number number_at(std::string_view bytes, std::size_t place) {
   Number value;
   std::memcpy(&value, bytes.data() + place, sizeof(Number));
   return value;
 }
 
 /// The point of three 32-bit numbers that begin at a place.
-[[nodiscard]] Eigen::Vector3d point_at(const std::string& bytes, std::size_t place);
+[[nodiscard]] Eigen::Vector3d point_at(std::string_view bytes, std::size_t place);
 
 }  // namespace knitmech::curves

@@ -14,7 +14,7 @@ struct YarnLine {
 
 /// How the centreline of a yarn follows from its points; every tool has its own way.
 enum class LineKind {
-  through_points,  ///< smooth through all points: uniform Catmull-Rom whose ends go on as the mirror of their neighbour
+  through_points,  ///< smooth through all points: the natural cubic spline over the lengths of the chords
   inner_points,    ///< uniform Catmull-Rom from the second to the last but one; the outer two only shape the ends
   midpoints        ///< quadratic arcs from middle to middle of the chords, a point the corner of each; straight at ends
 };
