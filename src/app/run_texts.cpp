@@ -10,6 +10,7 @@
 
 #include "app/structure_texts.h"
 #include "base/quantity.h"
+#include "model/constants.h"
 #include "results/ravelling.h"
 #include "results/yarn_breaks.h"
 #include "run/run_estimate.h"
@@ -23,9 +24,10 @@ std::string counts_text(const model::FabricFacts& facts) {
                      facts.n_degrees_of_freedom);
 }
 
-std::string fabric_text(const model::Case::Fabric& fabric) {
-  return fmt::format("{} wales x {} courses, {} elements per half stitch (ERC)", fabric.wales, fabric.courses,
-                     fabric.elements_per_erc);
+std::string fabric_text(const model::Case& input, const model::FabricFacts& facts) {
+  const std::string fabric = model::fabric_text(input);
+  if (!facts.file) return fmt::format("{}, {} elements per half stitch (ERC)", fabric, input.fabric.elements_per_erc);
+  return fmt::format("{} with {} points, {}", fabric, facts.file->n_points, input.fabric.yarn_file->path.string());
 }
 
 std::string test_text(const model::TensileTest& test, bool adapts_pace) {
@@ -45,6 +47,15 @@ std::string mass_scaling_text(const model::Case& input, double mass_scaling) {
 std::string out_of_plane_text(const model::FabricFacts& facts) {
   return fmt::format("{:.5g} /mm{}, the least without overlap is {:.5g} /mm", facts.out_of_plane,
                      facts.automatic_out_of_plane ? " (chosen)" : "", facts.least_out_of_plane);
+}
+
+std::string gap_text(const model::FileFacts& facts, double diameter) {
+  if (!facts.closest) return fmt::format("none below {:.4g} mm", (model::kGapReach - 1) * diameter);
+  const auto place = [](const curves::PlaceOnLine& on) {
+    return fmt::format("yarn {} at {:.4g} mm", on.yarn + 1, on.arc_length);
+  };
+  return fmt::format("{:.4g} mm, between {} and {} of its length", facts.closest->distance - diameter,
+                     place(facts.closest->a), place(facts.closest->b));
 }
 
 std::string gap_text(const std::optional<knit::Approach>& approach) {
@@ -107,21 +118,45 @@ std::string contact_text(const run::LoadedCase& loaded, const model::FabricFacts
   return fmt::format("friction {:.3g}{}, {:.4g} N/mm at a crossing", model.friction, of_edge, model.contact_stiffness);
 }
 
+std::vector<Line> lines_on_loops(const run::LoadedCase& loaded, const model::FabricFacts& facts) {
+  return {{"structure", structure_text(loaded.input, facts)},
+          {"mesh", counts_text(facts)},
+          {"loop length", fmt::format("{:.5g} mm of yarn in a stitch, {:.4g} m in the fabric", facts.stitch_length,
+                                      facts.yarn_length / 1000)},
+          {"leg", fmt::format("inclined by {:.4g} degrees at the head and {:.4g} degrees at the foot",
+                              degrees(facts.erc.theta1), degrees(facts.erc.theta2))},
+          {"out of plane", out_of_plane_text(facts)},
+          {"least gap", gap_text(facts.closest_on_curve)},
+          {"", "on the elements " + gap_text(facts.closest_on_elements)}};
+}
+
+std::vector<Line> lines_on_file(const run::LoadedCase& loaded, const model::FabricFacts& facts) {
+  const model::FileFacts& file = *facts.file;
+  const double diameter = loaded.input.yarn.diameter;
+  std::vector<Line> lines = {
+      {"mesh", fmt::format("{}; elements of {:.4g} mm", counts_text(facts), file.element_length)},
+      {"yarn length",
+       fmt::format("{:.4g} m, {:.4g} mm from a turn along y to the next", facts.yarn_length / 1000, file.half_stitch)},
+      {"least gap", gap_text(file, diameter)},
+      {"grips", fmt::format("{} nodes in the lowest {:.4g} mm, {} nodes in the highest", file.n_bottom, file.grip_depth,
+                            file.n_top)}};
+  constexpr double kSameDiameter = 1e-3;
+  if (file.diameter_in_file > 0 && std::abs(file.diameter_in_file - diameter) > kSameDiameter * diameter) {
+    lines.push_back({"note", fmt::format("the file gives a yarn diameter of {:.4g} mm, the case {:.4g} mm, which holds",
+                                         file.diameter_in_file, diameter)});
+  }
+  return lines;
+}
+
 }  // namespace
 
 std::string check_text(const run::LoadedCase& loaded, const model::FabricFacts& facts, double mass_scaling) {
   std::string text = loaded.model.title + "\n";
   const auto add = [&](const char* name, const std::string& value) { text += fmt::format("  {:14}{}\n", name, value); };
-  add("fabric", fabric_text(loaded.input.fabric));
-  add("structure", structure_text(loaded.input, facts));
-  add("mesh", counts_text(facts));
-  add("loop length", fmt::format("{:.5g} mm of yarn in a stitch, {:.4g} m in the fabric", facts.stitch_length,
-                                 facts.yarn_length / 1000));
-  add("leg", fmt::format("inclined by {:.4g} degrees at the head and {:.4g} degrees at the foot",
-                         degrees(facts.erc.theta1), degrees(facts.erc.theta2)));
-  add("out of plane", out_of_plane_text(facts));
-  add("least gap", gap_text(facts.closest_on_curve));
-  add("", "on the elements " + gap_text(facts.closest_on_elements));
+  add("fabric", fabric_text(loaded.input, facts));
+  for (const auto& [name, value] : facts.file ? lines_on_file(loaded, facts) : lines_on_loops(loaded, facts)) {
+    add(name, value);
+  }
   add("size", fmt::format("{:.4g} x {:.4g} x {:.3g} mm, {:.4g} g/m^2", facts.width, facts.height, facts.thickness,
                           facts.mass_per_area));
   for (const auto& [name, value] : yarn_lines(loaded, facts)) add(name, value);
@@ -136,10 +171,11 @@ std::string run_head_text(const run::LoadedCase& loaded, const model::FabricFact
                           int threads, const std::filesystem::path& folder, std::optional<double> resumed_at) {
   std::string text = loaded.model.title + "\n";
   const auto add = [&](const char* name, const std::string& value) { text += fmt::format("  {:14}{}\n", name, value); };
-  add("fabric", fabric_text(loaded.input.fabric));
-  add("structure", structure_text(loaded.input, facts));
+  add("fabric", fabric_text(loaded.input, facts));
+  if (!facts.file) add("structure", structure_text(loaded.input, facts));
   add("mesh", counts_text(facts));
-  add("loop length", fmt::format("{:.5g} mm", facts.stitch_length));
+  add(facts.file ? "half stitch" : "loop length",
+      fmt::format("{:.5g} mm", facts.file ? facts.file->half_stitch : facts.stitch_length));
   if (facts.edge_section) {
     add("edge yarn",
         fmt::format("{}, friction {:.3g}", stiffness_text(*facts.edge_section), edge_friction(loaded.input)));

@@ -31,7 +31,7 @@ void comment(std::ostream& out, std::string_view text) {
 /// Element sets of the yarns: by course where every course is one yarn, by yarn otherwise.
 std::vector<std::string> yarn_sets(const model::Model& model) {
   const std::set<int> courses(model.course.begin(), model.course.end());
-  const bool by_course = courses.size() == model.yarns.size();
+  const bool by_course = model.has_stitches && courses.size() == model.yarns.size();
   std::vector<std::string> names;
   for (std::size_t i = 0; i < model.yarns.size(); ++i) {
     const auto first = static_cast<std::size_t>(model.yarns[i].first_node);

@@ -7,7 +7,9 @@
 #include "knit/check_fabric.h"
 #include "knit/fabric_builder.h"
 #include "knit/out_of_plane.h"
+#include "model/build_from_file.h"
 #include "model/constants.h"
+#include "model/places.h"
 #include "model/sections.h"
 
 namespace knitmech::model {
@@ -25,7 +27,7 @@ std::vector<int> sections_along(const knit::YarnCurve& curve) {
   return sections;
 }
 
-Model model_of_yarns(const knit::Fabric& fabric) {
+Model nodes_of_yarns(const knit::Fabric& fabric) {
   Model model;
   for (const knit::YarnCurve& curve : fabric.yarns) {
     model.yarns.push_back({.first_node = model.n_nodes(), .n_nodes = static_cast<int>(curve.points.size())});
@@ -88,10 +90,13 @@ void add_edge_yarn(Model& model, const Case& input) {
   model.pair_friction = {{0, 1, *input.contact.edge_friction}, {1, 1, *input.contact.edge_friction}};
 }
 
-double height_of(const std::vector<Eigen::Vector3d>& points) {
-  const auto [lowest, highest] =
-      std::minmax_element(points.begin(), points.end(), [](const auto& a, const auto& b) { return a.y() < b.y(); });
-  return highest->y() - lowest->y();
+Model model_of_loops(const Case& input) {
+  const knit::Fabric fabric = build_fabric(input);
+  Model model = nodes_of_yarns(fabric);
+  add_node_sets(model, fabric);
+  add_ties(model, fabric);
+  model.half_stitch_length = fabric.erc_length;
+  return model;
 }
 
 /// Out of plane 0 where the case leaves it to the program.
@@ -128,23 +133,19 @@ knit::Fabric build_fabric(const Case& input) {
 
 Model build_model(const Case& input) {
   const yarn::Section section = section_of(input);
-  const knit::Fabric fabric = build_fabric(input);
-  Model model = model_of_yarns(fabric);
+  Model model = input.fabric.yarn_file ? model_from_file(input) : model_of_loops(input);
   model.title = input.title;
   model.sections = {section};
   if (const auto law = axial_law_of(input)) model.axial_laws.emplace(0, *law);
   if (input.yarn.strength) model.strengths.emplace(0, *input.yarn.strength);
   if (input.fabric.structure == knit::Structure::adjusted) add_edge_yarn(model, input);
-  add_node_sets(model, fabric);
-  add_ties(model, fabric);
-  model.half_stitch_length = fabric.erc_length;
   model.friction = input.contact.friction;
   model.contact_stiffness =
       input.contact.stiffness.value_or(kContactStiffnessShare * section.axial_stiffness / section.diameter);
   model.centreline = input.contact.centreline;
   model.test.grips = input.test.grips;
   model.test.on_break = input.test.on_break;
-  model.test.gauge_length = height_of(model.nodes);
+  model.test.gauge_length = height_of(model);
   model.test.strain = input.test.strain;
   model.test.speed = input.test.speed;
   model.test.ramp = input.test.ramp;

@@ -14,8 +14,8 @@ namespace knitmech::model {
 /// that is the middle and one node on each side: 28 and 27 nodes for 9 wales. left_edge and right_edge are the first
 /// and last node of each course. Contact stiffness: contact.stiffness of the case, or else 0.1 EA / D
 /// (kContactStiffnessShare). Sections: 0 the yarn, with its measured curve and its strength, 1 the edge yarn of an
-/// adjusted fabric, which is linear and never breaks. Throws InputError, with advice, for a geometry or a yarn that
-/// cannot be.
+/// adjusted fabric, which is linear and never breaks. A fabric from a file of yarns: model_from_file(). Throws
+/// InputError, with advice, for a geometry or a yarn that cannot be.
 [[nodiscard]] Model build_model(const Case& input);
 
 /// The fabric that build_model() makes its nodes of, out_of_plane resolved. Throws InputError like build_model().

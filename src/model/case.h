@@ -1,9 +1,11 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "curves/yarn_file.h"
 #include "knit/fabric.h"
 
 namespace knitmech::model {
@@ -14,6 +16,10 @@ enum class TestKind { wale_tension };
 enum class Grips { clamped, sliding };
 /// What a yarn that breaks does to the test.
 enum class OnBreak { stop, go_on };
+
+/// Which axes of a file of yarns become x (along the course), y (along the wale) and z (out of plane), in this order.
+/// The last three would mirror the fabric, so that knit became purl; there z runs against the axis of the file.
+enum class FileAxes { xyz, yzx, zxy, xzy, yxz, zyx };
 
 /// The stiffness of a yarn in one of three ways: the material of a monofilament (E with nu or G); the filaments of a
 /// twisted multifilament, with the material of one; or EA, EI and GJ outright.
@@ -46,6 +52,15 @@ struct Case {
     double course_spacing = 0;  ///< [mm]
     knit::Structure structure = knit::Structure::basic;
     int elements_per_erc = 0;
+
+    // A fabric from a file of yarns, in place of the loop and of what stands above.
+    std::string yarns;           ///< the file's name beside the case, curves::plain_name(); empty: a fabric of loops
+    std::string yarns_checksum;  ///< curves::checksum_of() the file; empty: a fabric of loops
+    std::optional<double> file_unit;  ///< what 1 in the file is [mm]; empty: the file says it itself
+    FileAxes file_axes = FileAxes::xyz;
+    std::optional<double> element_length;               ///< wanted [mm]; empty: a tenth of a half stitch
+    std::optional<double> grip_depth;                   ///< [mm], along y; empty: chosen, see build_from_file()
+    std::shared_ptr<const curves::YarnFile> yarn_file;  ///< never changes; null: a fabric of loops
   } fabric;
 
   struct Yarn : YarnStiffness {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/text.h"
+#include "model/case_of_file.h"
 #include "model/case_rules.h"
 #include "model/parameter_value.h"
 #include "model/parameters.h"
@@ -85,6 +86,10 @@ std::string advice_on_key(std::string_view key) {
   return fmt::format("the keys of [{}] are {}", section, base::alternatives(known));
 }
 
+bool names_yarn_file(const Reading& reading) {
+  return find_entry(reading.entries, "fabric.yarns") != nullptr;
+}
+
 void check_section(Reading& reading, const TomlEntry& entry) {
   if (is_section(entry.key)) return;
   if (find_parameter(entry.key) != nullptr) {
@@ -108,6 +113,10 @@ void take_value(Reading& reading, const TomlEntry& entry) {
     reading.note(entry.line, base::in_quotes(entry.key), "there is no such key; " + advice_on_key(entry.key));
     return;
   }
+  if (const std::string complaint = complaint_about_fabric(*parameter, names_yarn_file(reading)); !complaint.empty()) {
+    reading.note(entry.line, entry.key, complaint);
+    return;
+  }
   try {
     set_value(reading.result, *parameter, value_from(*parameter, entry.value));
   } catch (const InputError& error) {
@@ -118,6 +127,7 @@ void take_value(Reading& reading, const TomlEntry& entry) {
 void check_nothing_missing(Reading& reading) {
   for (const Parameter& parameter : parameters()) {
     if (parameter.need != Need::required || find_entry(reading.entries, parameter.key) != nullptr) continue;
+    if (parameter.from == FabricFrom::loops && names_yarn_file(reading)) continue;
     const std::string_view section = section_name_of(parameter.key);
     const std::string where = section.empty() ? "at the top of the file" : fmt::format("in [{}]", section);
     reading.note(nearest_line(reading.entries, parameter.key), std::string(parameter.key),
@@ -129,6 +139,19 @@ void check_rules(Reading& reading) {
   const auto broken = broken_rule(reading.result);
   if (!broken) return;
   reading.note(nearest_line(reading.entries, broken->key), broken->key, broken->complaint);
+}
+
+/// Reads the file of yarns that the case names.
+void take_yarn_file(Reading& reading, const std::optional<std::filesystem::path>& folder) {
+  const TomlEntry* entry = find_entry(reading.entries, "fabric.yarns");
+  if (entry == nullptr) return;
+  try {
+    read_yarn_file_of(reading.result, folder);
+  } catch (const InputError& error) {
+    reading.note(entry->line, entry->key, error.what());
+  } catch (const FileError& error) {
+    throw FileError(message(reading.file, entry->line, entry->key, error.what()));
+  }
 }
 
 void check_is_text(std::string_view text, const std::string& file) {
@@ -144,7 +167,7 @@ void check_is_text(std::string_view text, const std::string& file) {
 }
 
 /// @throws CaseFileError for what is no text and no TOML
-Reading read_all(std::string_view text, const std::string& file) {
+Reading read_all(std::string_view text, const std::string& file, const std::optional<std::filesystem::path>& folder) {
   check_is_text(text, file);
   Reading reading{.file = file, .entries = {}};
   try {
@@ -163,13 +186,14 @@ Reading read_all(std::string_view text, const std::string& file) {
   if (!reading.mistakes.empty()) return reading;
   if (find_entry(reading.entries, "output.frames_at") == nullptr) cut_frames_to_test(reading.result);
   check_rules(reading);
+  if (reading.mistakes.empty()) take_yarn_file(reading, folder);
   return reading;
 }
 
 std::string section_text(const Case& input, const CaseSection& section) {
-  std::string text = section.name.empty() ? "" : fmt::format("\n[{}]\n", section.name);
+  std::string text;
   for (const Parameter& parameter : parameters()) {
-    if (section_name_of(parameter.key) != section.name) continue;
+    if (section_name_of(parameter.key) != section.name || !applies_to(parameter, input)) continue;
     const Value value = value_in(input, parameter);
     const bool not_given = parameter.need == Need::optional && std::holds_alternative<std::monostate>(value);
     // Of a test that ends before the first default frame; a file may not say so.
@@ -177,7 +201,7 @@ std::string section_text(const Case& input, const CaseSection& section) {
     const bool is_empty = list != nullptr && list->empty();
     if (!not_given && !is_empty) text += fmt::format("{}  # {}\n", assignment(parameter, value), parameter.help);
   }
-  return text;
+  return section.name.empty() || text.empty() ? text : fmt::format("\n[{}]\n{}", section.name, text);
 }
 
 }  // namespace
@@ -189,15 +213,15 @@ CaseFileError::CaseFileError(std::string file, int line, std::string key, const 
       key_(std::move(key)),
       complaint_(complaint) {}
 
-Case parse_case(std::string_view text, const std::string& file) {
-  Reading reading = read_all(text, file);
+Case parse_case(std::string_view text, const std::string& file, const std::optional<std::filesystem::path>& folder) {
+  Reading reading = read_all(text, file, folder);
   if (!reading.mistakes.empty()) throw CaseFileError(reading.mistakes.front());
   return std::move(reading.result);
 }
 
 std::vector<CaseFileError> mistakes_in(std::string_view text, const std::string& file) {
   try {
-    return read_all(text, file).mistakes;
+    return read_all(text, file, std::nullopt).mistakes;
   } catch (const CaseFileError& error) {
     return {error};
   }
@@ -221,7 +245,7 @@ std::string case_file_text(const std::filesystem::path& path) {
 }
 
 Case read_case_file(const std::filesystem::path& path) {
-  return parse_case(case_file_text(path), path.string());
+  return parse_case(case_file_text(path), path.string(), path.parent_path());
 }
 
 std::string write_case(const Case& input) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -38,15 +39,20 @@ class CaseFileError : public InputError {
 /// @throws CaseFileError if it is too large, or no text at all
 [[nodiscard]] std::string case_file_text(const std::filesystem::path& path);
 
-/// The same from the text of a case file. @param file its name, for messages
-[[nodiscard]] Case parse_case(std::string_view text, const std::string& file);
+/// The same from the text of a case file. @param file its name, for messages @param folder where a file of yarns is
+/// looked for; none: a case that names one is refused
+/// @throws FileError if that file cannot be read
+[[nodiscard]] Case parse_case(std::string_view text, const std::string& file,
+                              const std::optional<std::filesystem::path>& folder = std::nullopt);
 
 /// All mistakes in the text of a case file that can be told side by side: those of single lines in their order, then
-/// what is missing; only without these the first rule between parameters that is broken. Empty: parse_case() reads it.
+/// what is missing; only without these the first rule between parameters that is broken. Empty: parse_case() reads it,
+/// without a folder.
 [[nodiscard]] std::vector<CaseFileError> mistakes_in(std::string_view text, const std::string& file);
 
 /// The text of a complete case file: every parameter that has a value, with its meaning. parse_case() of it gives a
-/// case with the same bits.
+/// case with the same bits; where the fabric comes from a file of yarns, that must stand beside it under the name
+/// curves::plain_name().
 [[nodiscard]] std::string write_case(const Case& input);
 
 /// The line in which a case file gives a key or, failing that, opens its section; 0 if it does neither.

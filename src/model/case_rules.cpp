@@ -9,13 +9,11 @@
 #include <vector>
 
 #include "base/errors.h"
+#include "model/constants.h"
 #include "model/sections.h"
 
 namespace knitmech::model {
 namespace {
-
-/// A model of this size needs about 20 GB; what is larger is a slip of the keyboard.
-constexpr double kMostElements = 20e6;
 
 /// A key that is given or missing.
 struct YarnKey {

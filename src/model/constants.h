@@ -18,4 +18,32 @@ inline constexpr double kGripShare = 0.1;
 /// Only rounding has to fit in: at N = 10 the second node lies exactly at the end of the grip.
 inline constexpr double kGripRounding = 1e-9;
 
+/// Elements of a half stitch [-] that fabric.element_length = "auto" aims at; 10, as fabric.elements_per_erc.
+inline constexpr double kElementsPerHalfStitch = 10;
+
+/// Fewest elements of a yarn [-] from a file. A short end of yarn still bends.
+inline constexpr int kFewestElements = 4;
+
+/// Largest angle [degrees] by which a yarn may turn within one element. Beyond, an element cuts the bend off.
+inline constexpr double kLargestTurn = 90;
+
+/// How far a yarn must go back along y to have turned, in yarn diameters [-]; 2. The turns tell the half stitches of a
+/// fabric from a file; smaller counts waves of a yarn that is not smooth.
+inline constexpr double kTurnHeight = 2;
+
+/// Overlap of yarns from a file that still counts as touching, as a share of the yarn diameter [-]. Coordinates of 32
+/// bits and the straight pieces of the search have to fit in; its contact forces are far below those of a test.
+inline constexpr double kFileOverlap = 5e-3;
+
+/// Straight pieces of an element [-] when the overlap of yarns from a file is searched on the smooth centreline; 16.
+/// The sag of a piece h / 16 on a bend of radius R is (h / 16)^2 / (8 R): below 1 % of D for elements up to 4 sqrt(D
+/// R).
+inline constexpr int kClearancePieces = 16;
+
+/// How far `knitmech check` looks for the least gap of yarns from a file, in yarn diameters between centrelines [-].
+inline constexpr double kGapReach = 3;
+
+/// Most elements of a model [-]; needs about 20 GB. What is larger is a slip of the keyboard.
+inline constexpr double kMostElements = 20e6;
+
 }  // namespace knitmech::model

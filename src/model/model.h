@@ -85,10 +85,13 @@ struct Model {
   std::map<int, double> strengths;   ///< [N], axial force at which a section breaks, by index; others never do
   std::vector<int> element_section;  ///< index into sections, per element; a yarn's last entry repeats the one before
   std::vector<int> course, wale;     ///< of each node, counted from 0; knit::kNoWale on a turning arc between courses
+  /// Whether course and wale are known. Not in a fabric from a file: there course is the number of the yarn, and wale
+  /// is knit::kNoWale everywhere.
+  bool has_stitches = true;
   std::vector<Tie> ties;
   std::map<std::string, std::vector<int>> node_sets;  ///< ascending node indices
-  double half_stitch_length = 0;                      ///< [mm], arc length of one ERC
-  double friction = 0;                                ///< mu [-], of all pairs of yarns but those in pair_friction
+  double half_stitch_length = 0;  ///< [mm], arc length of one ERC; from a file: mean length between turns along y
+  double friction = 0;            ///< mu [-], of all pairs of yarns but those in pair_friction
   std::vector<PairFriction> pair_friction;
   double contact_stiffness = 0;  ///< [N/mm], penalty of one crossing
   Centreline centreline = Centreline::smooth;

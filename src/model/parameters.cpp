@@ -105,11 +105,18 @@ Value value_in(const Case& input, const Parameter& parameter) {
           return *member ? Value(**member) : Value();
         } else if constexpr (std::is_same_v<Member, std::vector<double>>) {
           return parameter.need == Need::optional && member->empty() ? Value() : Value(*member);
+        } else if constexpr (std::is_same_v<Member, std::string>) {
+          return parameter.need == Need::optional && member->empty() ? Value() : Value(*member);
         } else {
           return *member;
         }
       },
       parameter.slot(copy));
+}
+
+bool applies_to(const Parameter& parameter, const Case& input) {
+  if (parameter.from == FabricFrom::either) return true;
+  return (parameter.from == FabricFrom::file) == (input.fabric.yarn_file != nullptr);
 }
 
 const Parameter* first_difference(const Case& a, const Case& b) {

@@ -17,7 +17,7 @@ using Value = std::variant<std::monostate, double, int, std::string, std::vector
 
 /// The member of a Case that a parameter fills.
 using Slot = std::variant<std::string*, double*, std::optional<double>*, int*, std::optional<int>*,
-                          std::vector<double>*, knit::Structure*, Centreline*, TestKind*, Grips*, OnBreak*>;
+                          std::vector<double>*, knit::Structure*, FileAxes*, Centreline*, TestKind*, Grips*, OnBreak*>;
 
 /// What is written in a case file for a parameter.
 enum class Kind { text, quantity, whole_number, list_of_quantities, choice };
@@ -29,6 +29,9 @@ enum class Need {
   automatic,  ///< the program chooses a value, the same as "auto"
   optional,   ///< nothing: another parameter stands in its place
 };
+
+/// What the fabric comes from. A parameter of one of the two ways cannot be given in a case of the other.
+enum class FabricFrom { either, loops, file };
 
 /// Allowed values of a number, in internal units.
 struct Range {
@@ -48,6 +51,7 @@ struct Parameter {
   std::string_view symbol = {};  ///< "H" in formulas; empty if there is none
   base::Dimension dimension = base::Dimension::number;
   Need need = Need::required;
+  FabricFrom from = FabricFrom::either;
   Value value = {};  ///< defaulted: the default; otherwise an example that goes well with the other examples
   Range range = {};  ///< of a number, or of each number of a list
   std::vector<std::string_view> choices = {};  ///< of a choice, in the order of the enumeration
@@ -63,6 +67,12 @@ struct CaseSection {
 
 /// The parameters of [yarn] and [edge_yarn]; part of parameters().
 [[nodiscard]] std::vector<Parameter> parameters_of_yarns();
+
+/// The parameters of [fabric] for a fabric from a file of yarns; part of parameters().
+[[nodiscard]] std::vector<Parameter> parameters_of_file();
+
+/// Whether a parameter has a meaning in a case.
+[[nodiscard]] bool applies_to(const Parameter& parameter, const Case& input);
 
 /// The table of all parameters, section by section in the order of the case file. There is no other list of them.
 [[nodiscard]] const std::vector<Parameter>& parameters();

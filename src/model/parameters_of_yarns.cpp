@@ -203,6 +203,9 @@ std::vector<Parameter> parameters_of_yarns() {
         edge_diameter_and_density(), material_parameters<&Case::edge_yarn>("edge_yarn"), edge_stiffnesses()}) {
     all.insert(all.end(), part.begin(), part.end());
   }
+  for (Parameter& parameter : all) {
+    if (section_name_of(parameter.key) == "edge_yarn") parameter.from = FabricFrom::loops;
+  }
   return all;
 }
 

@@ -128,6 +128,7 @@ std::vector<Parameter> contact_parameters() {
        .slot = [](Case& c) -> Slot { return &c.contact.friction; }},
       {.key = "contact.edge_friction",
        .need = Need::automatic,
+       .from = FabricFrom::loops,
        .value = 0.2,
        .range = from(0, 5),
        .help = "the same of the edge yarn on any yarn; auto takes friction",
@@ -249,10 +250,16 @@ std::vector<Parameter> output_parameters() {
   };
 }
 
+std::vector<Parameter> of_loops(std::vector<Parameter> parameters) {
+  for (Parameter& parameter : parameters) parameter.from = FabricFrom::loops;
+  return parameters;
+}
+
 std::vector<Parameter> all_parameters() {
   std::vector<Parameter> all;
-  for (const auto& part : {top_of_file(), loop_parameters(), fabric_parameters(), parameters_of_yarns(),
-                           contact_parameters(), test_parameters(), solver_parameters(), output_parameters()}) {
+  for (const auto& part :
+       {top_of_file(), of_loops(loop_parameters()), of_loops(fabric_parameters()), parameters_of_file(),
+        parameters_of_yarns(), contact_parameters(), test_parameters(), solver_parameters(), output_parameters()}) {
     all.insert(all.end(), part.begin(), part.end());
   }
   return all;

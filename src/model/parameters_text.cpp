@@ -143,11 +143,13 @@ std::string case_template() {
       "# A line that begins with \"# name =\" shows what holds when the line is not there; to change it, remove the "
       "\"#\".\n"
       "# In [yarn] and [edge_yarn], stiffnesses, filaments, curve and strength are examples instead: most take the "
-      "place of\n# youngs_modulus and poissons_ratio.\n";
+      "place of\n# youngs_modulus and poissons_ratio.\n"
+      "# A file of yarn centrelines can take the place of [loop] and [fabric]: fabric.yarns, see docs/import.md.\n";
   for (const CaseSection& section : sections()) {
     text += section.name.empty() ? "\n" : fmt::format("\n# {}.\n[{}]\n", section.help, section.name);
     std::vector<std::pair<std::string, std::string>> lines;
     for (const Parameter& parameter : parameters_in(section)) {
+      if (parameter.from == FabricFrom::file) continue;
       lines.emplace_back(template_line(parameter), described(parameter));
     }
     text += commented_lines(lines);

@@ -41,6 +41,20 @@ std::size_t node_near(const Model& model, int yarn, double arc_length) {
   return static_cast<std::size_t>((before_is_nearer ? behind - 1 : behind) - model.arc_length.begin());
 }
 
+double yarn_length_of(const Model& model) {
+  double length = 0;
+  for (const ModelYarn& yarn : model.yarns) {
+    length += model.arc_length[static_cast<std::size_t>(yarn.first_node + yarn.n_nodes - 1)];
+  }
+  return length;
+}
+
+double height_of(const Model& model) {
+  const auto [lowest, highest] = std::minmax_element(model.nodes.begin(), model.nodes.end(),
+                                                     [](const auto& a, const auto& b) { return a.y() < b.y(); });
+  return highest->y() - lowest->y();
+}
+
 std::string side_of(const Model& model, std::size_t node) {
   const auto [left, right] = std::minmax_element(model.nodes.begin(), model.nodes.end(),
                                                  [](const auto& a, const auto& b) { return a.x() < b.x(); });
@@ -49,6 +63,7 @@ std::string side_of(const Model& model, std::size_t node) {
 
 std::string place_text(const Model& model, std::size_t node) {
   const int course = model.course[node] + 1;
+  if (!model.has_stitches) return fmt::format("yarn {}", course);
   if (model.wale[node] == knit::kNoWale) return fmt::format("the turning arc of courses {} and {}", course, course + 1);
   return fmt::format("course {}, wale {}", course, model.wale[node] + 1);
 }

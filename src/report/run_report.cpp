@@ -183,6 +183,15 @@ std::string maps_of(const StoredRun& run, const std::vector<model::Frame>& frame
   return (without.empty() ? "" : none) + side_by_side(maps);
 }
 
+std::string width_profile(const StoredRun& run, const std::vector<model::Frame>& frames, const Figures& figures) {
+  if (!run.model.has_stitches) {
+    return "<p class=\"soft\">The fabric was read from a file, which does not say what its courses and wales are: "
+           "there is no width of each course, and places are told by yarn and length along it.</p>\n";
+  }
+  return side_by_side({figures.chart("width-profile", width_profile_chart(run.model, frames),
+                                     "Width of the fabric over its height, at the strains in the legend.")});
+}
+
 std::string shape_section(const StoredRun& run, const std::vector<model::Frame>& frames, const Figures& figures) {
   std::vector<std::vector<std::string>> rows = {{"strain", "lowest z [mm]", "highest z [mm]", "contacts",
                                                  "contacts in the middle third", "contact force in the middle third"}};
@@ -193,10 +202,7 @@ std::string shape_section(const StoredRun& run, const std::vector<model::Frame>&
                     fmt::format("{:.3f}", measures.highest_z), fmt::format("{}", measures.contacts),
                     share(measures.contacts_in_middle), share(measures.force_in_middle)});
   }
-  return maps_of(run, frames, figures) +
-         side_by_side({figures.chart("width-profile", width_profile_chart(run.model, frames),
-                                     "Width of the fabric over its height, at the strains in the legend.")}) +
-         table(rows) +
+  return maps_of(run, frames, figures) + width_profile(run, frames, figures) + table(rows) +
          "<p class=\"soft\">If the contacts were spread evenly over the width, a third of them would lie in its middle "
          "third.</p>\n";
 }
@@ -224,15 +230,25 @@ std::string quality_section(const StoredRun& run, const Figures& figures) {
   return html;
 }
 
+/// Where something is, in three cells; of a fabric whose stitches are not known in two.
+std::vector<std::string> place_cells(const StoredRun& run, const results::YarnPlace& place) {
+  if (!run.model.has_stitches) return {fmt::format("{}", place.yarn + 1), fmt::format("{:.4g}", place.arc_length)};
+  return {fmt::format("{}", place.course), place.wale ? fmt::format("{}", *place.wale) : "",
+          base::in_markup(place.part)};
+}
+
 std::string peaks_section(const StoredRun& run) {
-  std::vector<std::vector<std::string>> rows = {
-      {"largest in the yarns", "value", "at strain", "course", "wale", "part"}};
+  std::vector<std::vector<std::string>> rows = {{"largest in the yarns", "value", "at strain"}};
+  const std::vector<std::string> of_place = run.model.has_stitches ? std::vector<std::string>{"course", "wale", "part"}
+                                                                   : std::vector<std::string>{"yarn", "along it [mm]"};
+  rows.front().insert(rows.front().end(), of_place.begin(), of_place.end());
   for (std::size_t i = 0; i < results::kPeakFields.size(); ++i) {
     const auto& peak = run.summary.largest_in_yarns.at(i);
     if (!peak) continue;
-    rows.push_back({results::kPeakFields.at(i).key, fmt::format("{:.4g}", peak->value),
-                    base::percent_text(peak->strain), fmt::format("{}", peak->place.course),
-                    peak->place.wale ? fmt::format("{}", *peak->place.wale) : "", base::in_markup(peak->place.part)});
+    rows.push_back(
+        {results::kPeakFields.at(i).key, fmt::format("{:.4g}", peak->value), base::percent_text(peak->strain)});
+    const std::vector<std::string> place = place_cells(run, peak->place);
+    rows.back().insert(rows.back().end(), place.begin(), place.end());
   }
   return rows.size() > 1 ? table(rows) : "";
 }
@@ -242,7 +258,7 @@ std::string parameter_table(const StoredRun& run) {
   for (const model::Parameter& parameter : model::parameters()) {
     const model::Value value = model::value_in(run.input, parameter);
     const bool not_given = parameter.need == model::Need::optional && std::holds_alternative<std::monostate>(value);
-    if (not_given) continue;
+    if (not_given || !model::applies_to(parameter, run.input)) continue;
     // A space keeps numbers and words of this column on one side.
     rows.push_back({fmt::format("<code>{}</code>", base::in_markup(parameter.key)), base::in_markup(parameter.symbol),
                     "<code>" + base::in_markup(model::toml_text(parameter, value)) + "</code>",
@@ -257,7 +273,8 @@ std::string model_section(const StoredRun& run) {
       {"model", "value"},
       {"size", fmt::format("{:.4g} x {:.4g} x {:.3g} mm, {:.4g} g/m²", facts.width, facts.height, facts.thickness,
                            facts.mass_per_area)},
-      {"yarn in a stitch", fmt::format("{:.5g} mm", facts.stitch_length)},
+      {facts.file ? "yarn from turn to turn and back" : "yarn in a stitch",
+       fmt::format("{:.5g} mm", facts.stitch_length)},
       {"yarn in the fabric", fmt::format("{:.4g} m", facts.yarn_length / 1000)},
       {"elements, nodes", fmt::format("{}, {}", facts.n_elements, facts.n_nodes)},
       {"stiffness of the yarn",
@@ -272,6 +289,14 @@ std::string model_section(const StoredRun& run) {
 std::string structure_of(const StoredRun& run) {
   const model::Parameter& structure = *model::find_parameter("fabric.structure");
   return std::get<std::string>(model::value_in(run.input, structure));
+}
+
+/// What the fabric is, under the title.
+std::string fabric_line(const StoredRun& run) {
+  const std::string fabric = model::fabric_text(run.input);
+  if (!run.model.has_stitches) return fmt::format("{}, {} elements", fabric, run.model.n_elements());
+  return fmt::format("{}, {} elements per half stitch, structure {}", fabric, run.input.fabric.elements_per_erc,
+                     structure_of(run));
 }
 
 std::string footer_html(const StoredRun& run) {
@@ -302,9 +327,7 @@ void remove_run_report(const fs::path& run_folder) {
 void write_run_report(const StoredRun& run, int threads) {
   const Figures figures(run.dir / kFiguresFolder);
   const std::vector<model::Frame> frames = shown_frames(run);
-  Page page(run.summary.title,
-            fmt::format("{} wales x {} courses, {} elements per half stitch, structure {}", run.input.fabric.wales,
-                        run.input.fabric.courses, run.input.fabric.elements_per_erc, structure_of(run)));
+  Page page(run.summary.title, fabric_line(run));
   page.add_to_head(head_html(run));
   page.add_section("Force and strain", curve_section(run, frames, figures));
   page.add_section("The fabric", fabric_section(run, frames, figures, threads));

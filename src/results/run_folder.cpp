@@ -99,6 +99,9 @@ void remove_older_run(const fs::path& dir) {
   for (const char* name : {kHistoryFile, kLogFile, kCaseFile}) {
     remove_own(dir / name);
   }
+  for (const std::string_view ending : curves::kYarnFileEndings) {
+    remove_own(dir / curves::plain_name(ending));
+  }
   const fs::path frames = dir / kFramesFolder;
   remove_frames(frames, {});
   remove_own(frames / kFramesCollection);
@@ -124,7 +127,8 @@ void write_pieces(const fs::path& path, const Write& write, const model::Model& 
 
 }  // namespace
 
-RunFolder::RunFolder(fs::path dir, const std::string& case_toml, const model::Model& model)
+RunFolder::RunFolder(fs::path dir, const std::string& case_toml, const model::Model& model,
+                     const curves::YarnFile* yarns)
     : dir_(std::move(dir)), model_(model), history_text_(std::string{kHistoryHeader} + "\n") {
   try {
     refuse_foreign_folder(dir_);
@@ -139,6 +143,7 @@ RunFolder::RunFolder(fs::path dir, const std::string& case_toml, const model::Mo
   } catch (const fs::filesystem_error& error) {
     throw folder_error(dir_, error.code());
   }
+  if (yarns != nullptr) write_file_atomically(dir_ / curves::plain_name(yarns->ending), yarns->bytes);
   write_file_atomically(dir_ / kCaseFile, case_toml);
   write_collections(record_.frames);
   write_history();

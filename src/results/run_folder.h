@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "curves/yarn_file.h"
 #include "model/frame.h"
 #include "model/model.h"
 #include "model/run_outcome.h"
@@ -26,6 +27,7 @@ inline constexpr const char* kContactsCollection = "contacts.pvd";
 /// The folder of one run, written while the simulation goes on (docs/results.md):
 ///
 ///     case.toml summary.json history.csv log.txt checkpoint.bin
+///     yarns.csv, yarns.bcc or yarns.yarns    of a fabric from a file of yarns
 ///     frames/frames.pvd    frames/frame_0000.vtp ...
 ///     frames/contacts.pvd  frames/contacts_0000.vtp ...  frames/contacts_0000.csv ...
 ///
@@ -43,7 +45,9 @@ class RunFolder {
   /// Throws InputError, without touching anything, if dir is a file, a folder with something in it that is not a
   /// KnitMech run folder (recognised by its summary.json), or that of a run under way (FolderLock).
   /// \param model must outlive the run folder and stay as it is: large models are not copied
-  RunFolder(std::filesystem::path dir, const std::string& case_toml, const model::Model& model);
+  /// \param yarns the file that case_toml names beside it; null if it names none
+  RunFolder(std::filesystem::path dir, const std::string& case_toml, const model::Model& model,
+            const curves::YarnFile* yarns = nullptr);
   RunFolder(std::filesystem::path dir, const std::string& case_toml, model::Model&& model) = delete;
 
   /// Takes up the run in a folder where it had left this record: what it wrote after that is removed, or will be

@@ -172,7 +172,9 @@ StoredRavelling ravelling_in(const Block& block) {
           .place = {.course = block.small_whole("course").value_or(0),
                     .side = block.text("end"),
                     .other_course = block.small_whole("over_course").value_or(0),
-                    .other_wale = block.small_whole("over_wale").value_or(0)},
+                    .other_wale = block.small_whole("over_wale").value_or(0),
+                    .yarn = block.small_whole("yarn").value_or(-1) + 1,
+                    .other_yarn = block.small_whole("over_yarn").value_or(-1) + 1},
           .position = block.vector("position_mm")};
 }
 

@@ -130,7 +130,7 @@ Json largest_block(const Model& model, const std::vector<HistoryRow>& history, c
 
 Json place_json(const YarnPlace& place) {
   return {{"yarn", place.yarn},
-          {"course", place.course},
+          {"course", place.course > 0 ? Json(place.course) : Json(nullptr)},
           {"wale", place.wale ? Json(*place.wale) : Json(nullptr)},
           {"part", place.part},
           {"place_mm", number(place.arc_length)}};
@@ -233,11 +233,14 @@ Json ravelled_block(const Model& model, const RunOutcome& outcome) {
   Json block = Json::array();
   for (const model::Ravelling& event : outcome.ravelled) {
     const RavelledPlace place = place_of(model, event);
+    const auto of_stitches = [&](int number) { return model.has_stitches ? Json(number) : Json(nullptr); };
     block.push_back({{"strain", number(event.strain)},
-                     {"course", place.course},
+                     {"yarn", event.yarn},
+                     {"course", of_stitches(place.course)},
                      {"end", place.side},
-                     {"over_course", place.other_course},
-                     {"over_wale", place.other_wale},
+                     {"over_yarn", event.other_yarn},
+                     {"over_course", of_stitches(place.other_course)},
+                     {"over_wale", of_stitches(place.other_wale)},
                      {"position_mm", {event.position.x(), event.position.y(), event.position.z()}}});
   }
   return block;

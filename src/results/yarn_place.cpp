@@ -34,6 +34,7 @@ bool lies_on_leg(const model::Model& model, std::size_t element) {
 YarnPlace place_of_element(const model::Model& model, std::size_t element) {
   const int yarn = model::yarn_of_node(model, element);
   const double arc_length = 0.5 * (model.arc_length[element] + model.arc_length[element + 1]);
+  if (!model.has_stitches) return {yarn, 0, std::nullopt, "", arc_length};
   const std::size_t behind = element + 1;
   const bool on_arc = model.wale[element] == knit::kNoWale || model.wale[behind] == knit::kNoWale;
   const int course = model.course[element];

@@ -17,6 +17,28 @@ Json gap_json(const std::optional<knit::Approach>& approach) {
   return {{"gap_mm", approach->gap}, {"between", {describe(approach->a), describe(approach->b)}}};
 }
 
+Json file_json(const LoadedCase& loaded, const model::FabricFacts& facts) {
+  const auto place = [](const curves::PlaceOnLine& on) {
+    return Json{{"yarn", on.yarn + 1}, {"place_mm", on.arc_length}};
+  };
+  const model::FileFacts& file = *facts.file;
+  Json gap = nullptr;
+  if (file.closest) {
+    gap = {{"gap_mm", file.closest->distance - loaded.input.yarn.diameter},
+           {"between", {place(file.closest->a), place(file.closest->b)}}};
+  }
+  return {{"file", loaded.input.fabric.yarn_file->path.string()},
+          {"yarns", loaded.model.yarns.size()},
+          {"points", file.n_points},
+          {"element_length_mm", file.element_length},
+          {"half_stitch_mm", file.half_stitch},
+          {"diameter_in_file_mm", file.diameter_in_file > 0 ? Json(file.diameter_in_file) : Json(nullptr)},
+          {"grip_depth_mm", file.grip_depth},
+          {"nodes_in_bottom_grip", file.n_bottom},
+          {"nodes_in_top_grip", file.n_top},
+          {"least_gap", gap}};
+}
+
 /// "basic", "tied" or "adjusted".
 std::string structure_name(const model::Case& input) {
   return std::get<std::string>(model::value_in(input, *model::find_parameter("fabric.structure")));
@@ -49,18 +71,21 @@ Json structure_json(const LoadedCase& loaded, const model::FabricFacts& facts) {
 
 std::string check_json(const LoadedCase& loaded, const model::FabricFacts& facts, double mass_scaling) {
   const model::Model& model = loaded.model;
+  const bool has_loops = !facts.file;
+  const auto of_loops = [&](const auto& value) { return has_loops ? Json(value) : Json(nullptr); };
   const Json document{
       {"title", model.title},
-      {"structure", structure_json(loaded, facts)},
+      {"structure", has_loops ? structure_json(loaded, facts) : Json(nullptr)},
+      {"from_file", has_loops ? Json(nullptr) : file_json(loaded, facts)},
       {"elements", facts.n_elements},
       {"nodes", facts.n_nodes},
       {"degrees_of_freedom", facts.n_degrees_of_freedom},
       {"loop_length_mm", facts.stitch_length},
       {"yarn_length_mm", facts.yarn_length},
-      {"leg_angle_head_rad", facts.erc.theta1},
-      {"leg_angle_foot_rad", facts.erc.theta2},
-      {"out_of_plane_per_mm", facts.out_of_plane},
-      {"least_out_of_plane_per_mm", facts.least_out_of_plane},
+      {"leg_angle_head_rad", of_loops(facts.erc.theta1)},
+      {"leg_angle_foot_rad", of_loops(facts.erc.theta2)},
+      {"out_of_plane_per_mm", of_loops(facts.out_of_plane)},
+      {"least_out_of_plane_per_mm", of_loops(facts.least_out_of_plane)},
       {"least_gap_on_curve", gap_json(facts.closest_on_curve)},
       {"least_gap_on_elements", gap_json(facts.closest_on_elements)},
       {"width_mm", facts.width},

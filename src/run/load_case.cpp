@@ -24,11 +24,12 @@ std::string first_key_in(std::string_view message) {
 }  // namespace
 
 LoadedCase load_case(const std::filesystem::path& path) {
-  return load_case_text(model::case_file_text(path), path.string());
+  return load_case_text(model::case_file_text(path), path.string(), path.parent_path());
 }
 
-LoadedCase load_case_text(std::string_view text, const std::string& name) {
-  LoadedCase loaded{.input = model::parse_case(text, name), .model = {}};
+LoadedCase load_case_text(std::string_view text, const std::string& name,
+                          const std::optional<std::filesystem::path>& folder) {
+  LoadedCase loaded{.input = model::parse_case(text, name, folder), .model = {}};
   try {
     loaded.model = model::build_model(loaded.input);
   } catch (const InputError& error) {

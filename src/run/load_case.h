@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -21,7 +22,9 @@ struct LoadedCase {
 /// @throws FileError if the file cannot be read
 [[nodiscard]] LoadedCase load_case(const std::filesystem::path& path);
 
-/// The same from the text of a case file. \param name of the file, for messages
-[[nodiscard]] LoadedCase load_case_text(std::string_view text, const std::string& name);
+/// The same from the text of a case file. \param name of the file, for messages \param folder where a file of yarns is
+/// looked for; none: a case that names one is refused
+[[nodiscard]] LoadedCase load_case_text(std::string_view text, const std::string& name,
+                                        const std::optional<std::filesystem::path>& folder = std::nullopt);
 
 }  // namespace knitmech::run

@@ -14,7 +14,7 @@ namespace {
 
 results::RunFolder open_folder(const RunStart& start) {
   if (start.checkpoint) return {start.folder, start.checkpoint->record, start.loaded.model};
-  return {start.folder, start.case_text, start.loaded.model};
+  return {start.folder, start.case_text, start.loaded.model, start.loaded.input.fabric.yarn_file.get()};
 }
 
 /// The simulation of a case with everything that listens to it.

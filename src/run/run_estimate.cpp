@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/places.h"
 #include "solve/constants.h"
 #include "solve/mass_scaling.h"
 #include "solve/threads.h"
@@ -26,6 +27,9 @@ constexpr double kSecondsPerTightStitch = 8e-6;
 
 /// Strain at which loops are drawn tight, in units of (H - T) / T [-].
 constexpr double kTightShare = 0.55;
+
+/// (H - T) / T of a usual jersey, for a fabric from a file, which does not say [-].
+constexpr double kUsualOpenness = 0.4;
 
 /// n threads are faster by n to this power [-].
 constexpr double kThreadGain = 0.72;
@@ -58,10 +62,24 @@ double steps_to(const LoadedCase& loaded, double strain, double mass_scaling) {
   if (solve::adapts_pace(loaded.input, mass_scaling)) {
     return test.gauge_length * scale.per_length() * (kStartSteps + kStepsPerStrain * strain);
   }
-  const double element = scale.half_stitch / loaded.input.fabric.elements_per_erc;
+  const double element = loaded.model.has_stitches ? scale.half_stitch / loaded.input.fabric.elements_per_erc
+                                                   : model::yarn_length_of(loaded.model) / loaded.model.n_elements();
   const double step = loaded.input.solver.step_factor *
                       std::min(scale.contact_step(mass_scaling), scale.element_step(mass_scaling, element));
   return test.time_at(strain) / step;
+}
+
+/// (H - T) / T [-].
+double openness_of(const model::Case& input) {
+  if (input.fabric.yarn_file) return kUsualOpenness;
+  const double spacing = input.fabric.course_spacing;
+  return (input.loop.height - spacing) / spacing;
+}
+
+double stitches_of(const LoadedCase& loaded) {
+  const model::Case::Fabric& fabric = loaded.input.fabric;
+  if (loaded.model.has_stitches) return static_cast<double>(fabric.wales) * fabric.courses;
+  return model::yarn_length_of(loaded.model) / (2 * loaded.model.half_stitch_length);
 }
 
 }  // namespace
@@ -71,11 +89,10 @@ RunEstimate estimate_run(const LoadedCase& loaded) {
   const model::Case& input = loaded.input;
   const double mass_scaling =
       input.solver.mass_scaling ? *input.solver.mass_scaling : solve::automatic_mass_scaling(model);
-  const double spacing = input.fabric.course_spacing;
-  const double tight = std::min(model.test.strain, kTightShare * (input.loop.height - spacing) / spacing);
+  const double tight = std::min(model.test.strain, kTightShare * openness_of(input));
   const double steps = steps_to(loaded, model.test.strain, mass_scaling);
   const double tight_steps = steps - steps_to(loaded, tight, mass_scaling);
-  const double stitches = static_cast<double>(input.fabric.wales) * input.fabric.courses;
+  const double stitches = stitches_of(loaded);
   const double on_one_thread = steps * (kSecondsPerElement * model.n_elements() + kSecondsPerStitch * stitches) +
                                tight_steps * kSecondsPerTightStitch * stitches;
   return {steps, on_one_thread / std::pow(solve::automatic_threads(model), kThreadGain)};

@@ -60,7 +60,7 @@ RunStart earlier_run(const fs::path& folder) {
   results::Checkpoint checkpoint = results::read_checkpoint(folder);
   const fs::path file = folder / "case.toml";
   LoadedCase loaded = load_case(file);
-  refuse_another_case(file, loaded.input, model::parse_case(checkpoint.case_text, file.string()));
+  refuse_another_case(file, loaded.input, model::parse_case(checkpoint.case_text, file.string(), folder));
   std::string text = checkpoint.case_text;
   return {std::move(loaded), std::move(text), folder, std::move(checkpoint)};
 }

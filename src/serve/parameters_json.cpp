@@ -77,7 +77,10 @@ std::string parameters_json() {
     sections.push_back({{"name", section.name}, {"help", section.help}});
   }
   Json parameters = Json::array();
-  for (const model::Parameter& parameter : model::parameters()) parameters.push_back(parameter_json(parameter));
+  for (const model::Parameter& parameter : model::parameters()) {
+    // The page sends the text of a case without a folder, in which a file of yarns could stand.
+    if (parameter.from != model::FabricFrom::file) parameters.push_back(parameter_json(parameter));
+  }
   return Json{{"sections", sections}, {"parameters", parameters}}.dump();
 }
 

@@ -46,13 +46,12 @@ std::string crossings_sentence(const results::Quality& quality) {
 }
 
 std::string sentence_of(const results::StoredRavelling& event) {
-  const results::RavelledPlace& place = event.place;
-  return fmt::format("At {} strain {} {} end of course {} slipped over course {}, wale {}.",
-                     base::percent_text(event.strain), place.side == "broken" ? "a" : "the", place.side, place.course,
-                     place.other_course, place.other_wale);
+  return fmt::format("At {} strain {}.", base::percent_text(event.strain),
+                     results::ravelled_text(event.place, "slipped "));
 }
 
 std::string place_text(const results::YarnPlace& place) {
+  if (place.course == 0) return fmt::format("yarn {}, {:.3g} mm along the yarn", place.yarn + 1, place.arc_length);
   const std::string of_wale = place.wale ? fmt::format(", wale {}", *place.wale) : "";
   return fmt::format("course {}{} ({}), {:.3g} mm along the yarn", place.course, of_wale, place.part, place.arc_length);
 }

@@ -8,12 +8,42 @@
 
 namespace knitmech::solve {
 
+namespace {
+
+/// Tells the nodes whose extent along x is the width of the fabric: those of the middle course; where the courses are
+/// not known, those that lie in the middle third of its height before the test.
+class Middle {
+ public:
+  explicit Middle(const model::Model& model) : model_(model) {
+    course_ = (1 + *std::max_element(model.course.begin(), model.course.end())) / 2;
+    for (const Eigen::Vector3d& node : model.nodes) {
+      lowest_ = std::min(lowest_, node.y());
+      highest_ = std::max(highest_, node.y());
+    }
+  }
+
+  [[nodiscard]] bool holds(std::size_t node) const {
+    if (model_.has_stitches) return model_.course[node] == course_ && model_.wale[node] != knit::kNoWale;
+    const double third = (highest_ - lowest_) / 3;
+    const double y = model_.nodes[node].y();
+    return y >= lowest_ + third && y <= highest_ - third;
+  }
+
+ private:
+  const model::Model& model_;
+  int course_ = 0;
+  double lowest_ = std::numeric_limits<double>::max();
+  double highest_ = std::numeric_limits<double>::lowest();
+};
+
+}  // namespace
+
 double ExplicitSolver::width() const {
-  const int middle = (1 + *std::max_element(model_.course.begin(), model_.course.end())) / 2;
+  const Middle middle(model_);
   double low = std::numeric_limits<double>::max();
   double high = std::numeric_limits<double>::lowest();
   for (std::size_t node = 0; node < model_.nodes.size(); ++node) {
-    if (model_.course[node] != middle || model_.wale[node] == knit::kNoWale) continue;
+    if (!middle.holds(node)) continue;
     low = std::min(low, state_.position.x[node]);
     high = std::max(high, state_.position.x[node]);
   }

@@ -72,6 +72,16 @@ std::vector<double> strains_in(const StudyEntries& entries, const std::vector<do
   return strains;
 }
 
+/// Refuses to vary what says nothing about the fabric of the base case.
+void check_meaning(const StudyEntries& entries, const Study& study) {
+  for (const Variation& each : study.variations) {
+    if (model::applies_to(*each.parameter, study.base)) continue;
+    entries.refuse(0, each.parameter->key,
+                   study.base.fabric.yarn_file ? "has no meaning for the base case, whose fabric is read from a file"
+                                               : "has no meaning for the base case, whose fabric is made of loops");
+  }
+}
+
 void check_sampling(const StudyEntries& entries, const Study& study) {
   if (takes_samples(study.plan)) {
     if (!study.variations.empty()) return;
@@ -113,6 +123,7 @@ Study parse_study(std::string_view text, const fs::path& path) {
   study.strains = strains_in(entries, study.base.output.frames_at);
   study.measured = read_measured(entries);
   study.variations = read_variations(entries, study.plan);
+  check_meaning(entries, study);
   check_sampling(entries, study);
   check_number_of_cases(entries, study);
   return study;

@@ -98,6 +98,9 @@ void prepare_folder(const fs::path& folder, const Study& study) {
   if (!is_study(folder / kStudyFile)) {
     results::write_file_atomically(folder / kStudyFile, json_text(head_json(study)));
   }
+  if (const auto& yarns = study.base.fabric.yarn_file) {
+    results::write_file_atomically(folder / curves::plain_name(yarns->ending), yarns->bytes);
+  }
   results::write_file_atomically(folder / kBaseFile, model::write_case(study.base));
 }
 

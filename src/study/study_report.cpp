@@ -11,6 +11,7 @@
 #include "base/number_text.h"
 #include "base/quantity.h"
 #include "base/text.h"
+#include "model/facts.h"
 #include "picture/comparison_chart.h"
 #include "report/figures.h"
 #include "report/frame_pictures.h"
@@ -182,8 +183,7 @@ std::string head_html(const std::vector<VariantState>& states) {
 
 void write_study_report(const fs::path& folder, const Study& study, const std::vector<VariantState>& states) {
   const Figures figures(folder / "figures");
-  report::Page page(study.title, fmt::format("Base case: {}, {} wales x {} courses", study.base.title,
-                                             study.base.fabric.wales, study.base.fabric.courses));
+  report::Page page(study.title, fmt::format("Base case: {}, {}", study.base.title, model::fabric_text(study.base)));
   page.add_to_head(head_html(states));
   page.add_section("Runs", table_of_runs(study, states));
   page.add_section("Curves", curves_section(study, states, figures));

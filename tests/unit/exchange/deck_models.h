@@ -15,7 +15,10 @@ inline model::Case fabric_case(int wales, int courses) {
   model::Case input;
   input.title = "Monofilament jersey, wale-wise tension";
   input.loop = {7.0, 3.9, 0.2, 1.1, 0.2, 1.0, 0.02};
-  input.fabric = {wales, courses, 5.0, knit::Structure::basic, 10};
+  input.fabric.wales = wales;
+  input.fabric.courses = courses;
+  input.fabric.course_spacing = 5.0;
+  input.fabric.elements_per_erc = 10;
   input.yarn.diameter = 0.12;
   input.yarn.density = 1.14e-9;
   input.yarn.youngs_modulus = 1700;

@@ -15,11 +15,10 @@ inline Case example_case(int elements_per_erc = 10) {
                 .foot_flat = 0.2,
                 .foot_radius = 1.0,
                 .out_of_plane = 0.02};
-  input.fabric = {.wales = 9,
-                  .courses = 15,
-                  .course_spacing = 5.0,
-                  .structure = knit::Structure::basic,
-                  .elements_per_erc = elements_per_erc};
+  input.fabric.wales = 9;
+  input.fabric.courses = 15;
+  input.fabric.course_spacing = 5.0;
+  input.fabric.elements_per_erc = elements_per_erc;
   input.yarn.diameter = 0.12;
   input.yarn.density = 1.14e-9;
   input.yarn.youngs_modulus = 1700;

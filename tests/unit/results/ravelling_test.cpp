@@ -97,6 +97,15 @@ TEST(Ravelling, TheTextOfSeveralSaysHowManyAndWhichWasFirst) {
             "25.3 % strain.");
 }
 
+TEST(Ravelling, GivenNoStitches_ThenTheTextTellsYarns) {
+  model::Model model = three_courses();
+  model.has_stitches = false;
+  model::RunOutcome outcome;
+  outcome.ravelled = {kEvent};
+  EXPECT_EQ(ravelling_text(model, outcome),
+            "Ravelling: one yarn end slipped out of a loop, the left end of yarn 3 over yarn 1, at 25.3 % strain.");
+}
+
 nlohmann::json ravelled_in_summary(const model::RunOutcome& outcome) {
   const std::string text = finished_summary(three_courses(), {}, {}, std::nullopt, {}, outcome, {});
   return nlohmann::json::parse(text).at("ravelled");
@@ -111,8 +120,10 @@ TEST(Ravelling, TheSummaryListsEveryOneInTheOrderOfTime) {
   later.strain = 0.5;
   outcome.ravelled = {kEvent, later};
   const nlohmann::json expected = nlohmann::json::parse(R"([
-    {"strain": 0.2534, "course": 3, "end": "left", "over_course": 1, "over_wale": 2, "position_mm": [1.5, 0.25, -0.125]},
-    {"strain": 0.5, "course": 2, "end": "left", "over_course": 1, "over_wale": 1, "position_mm": [1.5, 0.25, -0.125]}
+    {"strain": 0.2534, "yarn": 2, "course": 3, "end": "left", "over_yarn": 0, "over_course": 1, "over_wale": 2,
+     "position_mm": [1.5, 0.25, -0.125]},
+    {"strain": 0.5, "yarn": 1, "course": 2, "end": "left", "over_yarn": 0, "over_course": 1, "over_wale": 1,
+     "position_mm": [1.5, 0.25, -0.125]}
   ])");
   EXPECT_EQ(ravelled_in_summary(outcome), expected);
 }

@@ -85,6 +85,15 @@ TEST_F(RunFolderTest, IsTakenByNoOtherRunWhileOneWritesIt) {
   EXPECT_NO_THROW(RunFolder(dir_, "[other]", model_));
 }
 
+TEST_F(RunFolderTest, GivenAFileOfYarns_ThenACopyLiesBesideTheCaseUntilARunWithoutOne) {
+  const curves::YarnFile yarns{
+      .path = "my/swatch.bcc", .ending = ".bcc", .bytes = std::string("BCC\0x", 5), .lines = {}};
+  { const RunFolder folder(dir_, "[first]", model_, &yarns); }
+  EXPECT_EQ(read_file(dir_ / "yarns.bcc"), yarns.bytes);
+  { const RunFolder folder(dir_, "[second]", model_); }
+  EXPECT_FALSE(fs::exists(dir_ / "yarns.bcc"));
+}
+
 TEST_F(RunFolderTest, HoldsTheFilesOfARun) {
   // Given a run of three rows and two frames.
   RunFolder folder(dir_, "title = \"x\"\n", model_);

@@ -129,6 +129,17 @@ TEST_F(PlaceOfElement, GivenTheLengthsOfTheLoop_ThenAsMuchYarnLiesOnTheLegsAsThe
   EXPECT_LT(on_leg, 1.05 * in_plan);
 }
 
+TEST(PlaceOfElementWithoutStitches, GivenYarnsOfAFile_ThenItIsTheYarnAndTheLengthAlongItAlone) {
+  model::Model model = test::two_yarn_model();
+  model.has_stitches = false;
+  const YarnPlace place = place_of_element(model, 4);
+  EXPECT_EQ(place.yarn, 1);
+  EXPECT_EQ(place.course, 0);
+  EXPECT_FALSE(place.wale.has_value());
+  EXPECT_EQ(place.part, "");
+  EXPECT_NEAR(place.arc_length, 0.45, 1e-15);
+}
+
 TEST(PlaceOfElementOnArc, GivenJoinedCourses_ThenItIsTheTurningArcOfTheLowerCourseAndOfNoWale) {
   model::Case input = model::example_case();
   input.fabric.structure = knit::Structure::adjusted;
