@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 
 #include "base/segment_distance.h"
 #include "curves/constants.h"
@@ -37,17 +38,14 @@ std::vector<Piece> pieces_of(const std::vector<std::vector<Eigen::Vector3d>>& ya
 /// A cell of space by its three numbers.
 using Cell = std::array<std::int64_t, 3>;
 
-struct Entry {
-  Cell cell;
-  std::uint32_t piece;
-  auto operator<=>(const Entry&) const = default;
-};
+/// A cell and a piece whose middle lies in it.
+using Entry = std::pair<Cell, std::uint32_t>;
 
 /// Pieces by the cell of their middle.
 class Cells {
  public:
-  Cells(const std::vector<Piece>& pieces, double size) : pieces_(pieces), size_(size) {
-    for (std::uint32_t i = 0; i < pieces.size(); ++i) entries_.push_back({cell_of(pieces[i]), i});
+  Cells(const std::vector<Piece>& pieces, double size) : size_(size) {
+    for (std::uint32_t i = 0; i < pieces.size(); ++i) entries_.emplace_back(cell_of(pieces[i]), i);
     std::ranges::sort(entries_);
   }
 
@@ -58,11 +56,11 @@ class Cells {
       for (std::int64_t dx = -1; dx <= 1; ++dx) {
         for (std::int64_t dy = -1; dy <= 1; ++dy) {
           // Cells that differ in their last number alone follow each other.
-          const Cell first = {entry.cell[0] + dx, entry.cell[1] + dy, entry.cell[2] - 1};
-          const Cell last = {first[0], first[1], entry.cell[2] + 1};
+          const Cell first = {entry.first[0] + dx, entry.first[1] + dy, entry.first[2] - 1};
+          const Cell last = {first[0], first[1], entry.first[2] + 1};
           for (auto other = std::ranges::lower_bound(entries_, Entry{first, 0});
-               other != entries_.end() && other->cell <= last; ++other) {
-            if (entry.piece < other->piece) look(entry.piece, other->piece);
+               other != entries_.end() && other->first <= last; ++other) {
+            if (entry.second < other->second) look(entry.second, other->second);
           }
         }
       }
@@ -76,7 +74,6 @@ class Cells {
     return {number(middle.x), number(middle.y), number(middle.z)};
   }
 
-  const std::vector<Piece>& pieces_;
   double size_;
   std::vector<Entry> entries_;
 };
