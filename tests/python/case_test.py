@@ -165,7 +165,8 @@ class Mistakes(unittest.TestCase):
         self.assertEqual(keys, ["loop.height", "fabric.wales"])
         lines = str(caught.exception).splitlines()
         self.assertEqual(len(lines), 2)
-        self.assertTrue(lines[0].startswith("jersey.toml, line 10: loop.height: "))
+        number = text[: text.index("\nheight =")].count("\n") + 2
+        self.assertTrue(lines[0].startswith(f"jersey.toml, line {number}: loop.height: "), lines[0])
         self.assertIsInstance(caught.exception, ValueError)
         again = pickle.loads(pickle.dumps(caught.exception))
         self.assertEqual(again.mistakes, caught.exception.mistakes)
