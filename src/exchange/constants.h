@@ -43,4 +43,42 @@ inline constexpr int kMostStepsPerElement = 1000;
 /// formats are held to it too, since a file is made, and read by other programs, in memory.
 inline constexpr std::uint64_t kMostFileBytes = 0xffffffff;
 
+/// Least distance of a node that gives beams their orientation from the middle of the fabric [mm], and that distance in
+/// extents of the fabric [-]. So far that its direction is that of the axis, to 0.1, from everywhere in the fabric.
+inline constexpr double kOrientationDistance = 1000;
+inline constexpr double kOrientationExtents = 10;
+
+/// Time that a velocity curve reaches, in durations of the test [-]: a run that is made longer keeps its speed.
+inline constexpr double kCurveAfterTheTest = 10;
+
+/// Numbers on a line of a list of nodes or parts [-], in OpenRadioss decks (Radioss Reference Guide, "/GRNOD",
+/// "/LINE/PART").
+inline constexpr std::size_t kNumbersOnALine = 10;
+
+/// Longest title and longest name of a run in an OpenRadioss deck [characters] (Radioss Reference Guide, "/TITLE",
+/// "/BEGIN").
+inline constexpr std::size_t kRadiossTitle = 100;
+inline constexpr std::size_t kRadiossRunName = 80;
+
+/// Format year of OpenRadioss decks, and the first in which /INTER/TYPE11 has Irem_gap.
+inline constexpr int kRadiossYear = 2018;
+inline constexpr int kRadiossYearOfRemovedGaps = 2020;
+
+/// Yarn diameter as a share of the shortest element [-] above which contact along a yarn has to be left out: there the
+/// starter of OpenRadioss warns of a large gap, and elements next but one to each other come near to touching.
+inline constexpr double kShortForContact = 0.5;
+
+/// Stiffness of a line of /INTER/TYPE11 in that of a crossing [-]: two lines in series, and half of that.
+inline constexpr double kLinesInSeries = 4;
+
+/// Characters of a number in the engine deck of OpenRadioss [-], which is free of columns; digits: all that matter.
+inline constexpr std::size_t kRadiossEngineNumber = 14;
+
+/// Cycles between two lines that OpenRadioss prints [-].
+inline constexpr int kRadiossPrintedCycles = 5000;
+
+/// Share of the stable time step that explicit decks ask for [-]. The contact is not in the stable step of the elements,
+/// hence less than the usual 0.9.
+inline constexpr double kStepShare = 0.8;
+
 }  // namespace knitmech::exchange
