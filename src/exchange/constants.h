@@ -77,6 +77,21 @@ inline constexpr std::size_t kRadiossEngineNumber = 14;
 /// Cycles between two lines that OpenRadioss prints [-].
 inline constexpr int kRadiossPrintedCycles = 5000;
 
+/// Numbers on a line of a list of nodes or parts in LS-DYNA decks [-] (LS-DYNA Keyword User's Manual I, "*SET").
+inline constexpr std::size_t kDynaNumbersOnALine = 8;
+
+/// Longest title of an LS-DYNA deck [characters] (LS-DYNA Keyword User's Manual I, "*TITLE").
+inline constexpr std::size_t kDynaTitle = 80;
+
+/// ELFORM of a beam of given A, I and J, after Belytschko and Schwer (LS-DYNA Keyword User's Manual I, "*SECTION_BEAM").
+inline constexpr int kResultantBeam = 2;
+
+/// SOFT by which the reader of OpenRadioss makes *CONTACT_AUTOMATIC_GENERAL a contact of beams with each other.
+inline constexpr int kSoftOfBeamContact = -11;
+
+/// Stiffness of a line in that of a crossing [-], where OpenRadioss takes the mean of both lines: half of it counts.
+inline constexpr double kLinesInParallel = 2;
+
 /// Share of the stable time step that explicit decks ask for [-]. The contact is not in the stable step of the elements,
 /// hence less than the usual 0.9.
 inline constexpr double kStepShare = 0.8;

@@ -20,6 +20,7 @@ const std::vector<ExportFormat>& all_formats() {
   static const std::vector<ExportFormat> formats{
       {"abaqus", "Abaqus/Explicit input file", deck, {".inp"}, abaqus_files},
       {"openradioss", "OpenRadioss starter and engine decks", deck, {"_0000.rad", "_0001.rad"}, openradioss_files},
+      {"lsdyna", "LS-DYNA keyword deck", deck, {".k"}, lsdyna_files},
       {"vtp", "Yarns as lines for ParaView", geometry, {".vtp"}, vtp_files},
       {"gltf", "Yarns as tubes, binary glTF 2.0", geometry, {".glb"}, gltf_files},
       {"obj", "Yarns as tubes, Wavefront OBJ", geometry, {".obj"}, obj_files},

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "exchange/abaqus_writer.h"
+#include "exchange/lsdyna_writer.h"
 #include "exchange/openradioss_writer.h"
 #include "solve/mass_scaling.h"
 
@@ -42,6 +43,15 @@ std::vector<std::string> openradioss_files(const ExportSource& source) {
   exchange::write_openradioss_starter(starter, source.model, options);
   exchange::write_openradioss_engine(engine, source.model, options);
   return {std::move(starter).str(), std::move(engine).str()};
+}
+
+std::vector<std::string> lsdyna_files(const ExportSource& source) {
+  const exchange::LsDynaOptions options{.mass_scaling = mass_scaling_of(source),
+                                        .history_points = source.input.output.history_points,
+                                        .pictures = pictures_of(source)};
+  std::ostringstream text;
+  exchange::write_lsdyna(text, source.model, options);
+  return {std::move(text).str()};
 }
 
 }  // namespace knitmech::run
