@@ -89,6 +89,9 @@ inline constexpr int kResultantBeam = 2;
 /// SOFT by which the reader of OpenRadioss makes *CONTACT_AUTOMATIC_GENERAL a contact of beams with each other.
 inline constexpr int kSoftOfBeamContact = -11;
 
+/// FS of *CONTACT by which *DEFINE_FRICTION gives the friction (LS-DYNA Keyword User's Manual I, "*CONTACT").
+inline constexpr int kFrictionOfTable = -2;
+
 /// Stiffness of a line in that of a crossing [-], where OpenRadioss takes the mean of both lines: half of it counts.
 inline constexpr double kLinesInParallel = 2;
 

@@ -71,7 +71,7 @@ void write_contact(std::ostream& out, const model::Model& model, const std::vect
   out << "$     SSID      MSID     SSTYP     MSTYP\n";
   card(out, FixedCard().whole(kYarns).whole(0).whole(2).whole(0));
   out << "$ FS -2: friction of *DEFINE_FRICTION, whose number is FD\n$       FS        FD\n";
-  card(out, FixedCard().whole(-2).whole(kFriction));
+  card(out, FixedCard().whole(kFrictionOfTable).whole(kFriction));
   out << "$ For LS-DYNA: SFS and SFM 1.0, and SST and MST 0.0, which takes the diameter from the section.\n";
   out << "$      SFS       SFM       SST       MST      SFST      SFMT\n";
   FixedCard stiffness;

@@ -1,5 +1,9 @@
 #pragma once
 
+#include <gtest/gtest.h>
+
+#include <Eigen/Core>
+#include <random>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -37,6 +41,42 @@ inline model::Case measured_yarn_case() {
   input.yarn.bending_stiffness = 5e-6;
   input.yarn.torsional_stiffness = 4e-6;
   return input;
+}
+
+/// A fabric of 4 x 3 stitches of a structure; if it has turning arcs, with another friction of the edge yarn.
+inline model::Case structure_case(knit::Structure structure) {
+  model::Case input = fabric_case(4, 3);
+  input.fabric.structure = structure;
+  if (structure == knit::Structure::adjusted) input.contact.edge_friction = 0.3;
+  return input;
+}
+
+/// Expects the terms of equations, three for each tie of a model, to be the displacement of the first place of the tie
+/// less that of the second, whatever the displacements of the nodes. \param constraints by number, from 1
+template <typename Constraints>
+void expect_constraints_of_ties(const model::Model& model, const Constraints& constraints, double tolerance) {
+  ASSERT_EQ(constraints.size(), 3 * model.ties.size());
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  std::vector<Eigen::Vector3d> moved;
+  for (std::size_t i = 0; i < model.nodes.size(); ++i) {
+    moved.emplace_back(uniform(random), uniform(random), uniform(random));
+  }
+  const auto at = [&](model::ElementPlace place) {
+    const auto i = static_cast<std::size_t>(place.element);
+    return Eigen::Vector3d((1 - place.share) * moved[i] + place.share * moved[i + 1]);
+  };
+  int number = 0;
+  for (const model::Tie& tie : model.ties) {
+    for (int axis = 0; axis < 3; ++axis) {
+      double left = 0;
+      for (const auto& term : constraints.at(++number).terms) {
+        EXPECT_EQ(term.direction, axis + 1);
+        left += term.coefficient * moved[static_cast<std::size_t>(term.node) - 1][axis];
+      }
+      EXPECT_NEAR(left, (at(tie.first) - at(tie.second))[axis], tolerance);
+    }
+  }
 }
 
 inline std::string deck_text(const model::Model& model, const AbaqusOptions& options = {}) {

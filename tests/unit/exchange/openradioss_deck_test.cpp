@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <random>
 #include <set>
 #include <sstream>
 #include <stdexcept>
@@ -56,13 +55,6 @@ struct Decks {
   OpenRadiossDeck starter;
   OpenRadiossEngine engine;
 };
-
-model::Case structure_case(knit::Structure structure) {
-  model::Case input = fabric_case(4, 3);
-  input.fabric.structure = structure;
-  if (structure == knit::Structure::adjusted) input.contact.edge_friction = 0.3;
-  return input;
-}
 
 class OpenRadiossStructures : public testing::TestWithParam<knit::Structure> {
  protected:
@@ -223,28 +215,7 @@ TEST_P(OpenRadiossStructures, IsTheSameEveryTimeAndNoLineIsLongerThanAHundredCol
 
 TEST(OpenRadiossTies, KeepTheTiedPlacesOfTheElementsTogetherInEachDirection) {
   const Decks decks(structure_case(knit::Structure::tied));
-  ASSERT_EQ(decks.starter.constraints.size(), 3 * decks.model.ties.size());
-  std::mt19937 random(3);
-  std::uniform_real_distribution<double> uniform(-1, 1);
-  std::vector<Eigen::Vector3d> velocity;
-  for (std::size_t i = 0; i < decks.model.nodes.size(); ++i) {
-    velocity.emplace_back(uniform(random), uniform(random), uniform(random));
-  }
-  const auto at = [&](model::ElementPlace place) {
-    const auto i = static_cast<std::size_t>(place.element);
-    return Eigen::Vector3d((1 - place.share) * velocity[i] + place.share * velocity[i + 1]);
-  };
-  int number = 0;
-  for (const model::Tie& tie : decks.model.ties) {
-    for (int axis = 0; axis < 3; ++axis) {
-      double left = 0;
-      for (const auto& term : decks.starter.constraints.at(++number).terms) {
-        EXPECT_EQ(term.direction, axis + 1);
-        left += term.coefficient * velocity[static_cast<std::size_t>(term.node) - 1][axis];
-      }
-      EXPECT_NEAR(left, (at(tie.first) - at(tie.second))[axis], 1e-14);
-    }
-  }
+  expect_constraints_of_ties(decks.model, decks.starter.constraints, 1e-14);
 }
 
 TEST(OpenRadiossFriction, GivenAnotherOneOfTheEdgeYarn_ThenItIsThatOfItsPairs) {
