@@ -84,6 +84,11 @@ std::vector<model::PairFriction> used_pair_friction(const model::Model& model, c
   return pairs;
 }
 
+bool have_one_diameter(const model::Model& model, const std::vector<int>& parts) {
+  const auto diameter = [&](int part) { return model.sections[static_cast<std::size_t>(part) - 1].diameter; };
+  return std::ranges::all_of(parts, [&](int part) { return diameter(part) == diameter(parts.front()); });
+}
+
 double shortest_element(const model::Model& model) {
   double shortest = std::numeric_limits<double>::infinity();
   for (const model::ModelYarn& yarn : model.yarns) {

@@ -16,8 +16,8 @@ namespace knitmech::exchange {
 ///
 ///     E = EA / A,  I = EI / E,  J = GJ / G,  G = E / (2 (1 + nu)),  with A = pi D^2 / 4,
 ///
-/// so that the products EA, EI and GJ are those of the yarn. nu is that of the material where the yarn is a solid circle
-/// of one with nu from 0 to 0.5 (and then J = 2 I); else 0, and E, G, I and J mean nothing one by one.
+/// so that the products EA, EI and GJ are those of the yarn. nu is that of the material where the yarn is a solid
+/// circle of one with nu from 0 to 0.5 (and then J = 2 I); else 0, and E, G, I and J mean nothing one by one.
 struct BeamSection {
   double diameter = 0;          ///< D [mm]
   double area = 0;              ///< A [mm^2]
@@ -34,9 +34,9 @@ struct BeamSection {
 
 /// An element of a deck; all numbers from 1.
 struct BeamElement {
-  int part = 0;            ///< index of its section into Model::sections, plus 1
+  int part = 0;             ///< index of its section into Model::sections, plus 1
   int first = 0, last = 0;  ///< nodes
-  int third = 0;           ///< node that spans the plane of its first axis with the other two
+  int third = 0;            ///< node that spans the plane of its first axis with the other two
 };
 
 /// Nodes of the model have their index plus 1; those of orientation follow. Elements are numbered along the yarns.
@@ -54,7 +54,10 @@ struct BeamMesh {
 
 /// Friction of pairs of parts that both have elements, where it is not Model::friction.
 [[nodiscard]] std::vector<model::PairFriction> used_pair_friction(const model::Model& model,
-                                                                 const std::vector<int>& parts);
+                                                                  const std::vector<int>& parts);
+
+/// Whether all parts have the same yarn diameter.
+[[nodiscard]] bool have_one_diameter(const model::Model& model, const std::vector<int>& parts);
 
 /// Length of the shortest element [mm].
 [[nodiscard]] double shortest_element(const model::Model& model);

@@ -11,8 +11,8 @@
 
 namespace knitmech::exchange {
 
-/// A keyword of a deck with the lines behind it, of a format whose keywords begin with one mark and whose comments begin
-/// with another: / and # in OpenRadioss, * and $ in LS-DYNA.
+/// A keyword of a deck with the lines behind it, of a format whose keywords begin with one mark and whose comments
+/// begin with another: / and # in OpenRadioss, * and $ in LS-DYNA.
 class CardBlock {
  public:
   struct Line {

@@ -83,7 +83,8 @@ inline constexpr std::size_t kDynaNumbersOnALine = 8;
 /// Longest title of an LS-DYNA deck [characters] (LS-DYNA Keyword User's Manual I, "*TITLE").
 inline constexpr std::size_t kDynaTitle = 80;
 
-/// ELFORM of a beam of given A, I and J, after Belytschko and Schwer (LS-DYNA Keyword User's Manual I, "*SECTION_BEAM").
+/// ELFORM of a beam of given A, I and J, after Belytschko and Schwer (LS-DYNA Keyword User's Manual I,
+/// "*SECTION_BEAM").
 inline constexpr int kResultantBeam = 2;
 
 /// SOFT by which the reader of OpenRadioss makes *CONTACT_AUTOMATIC_GENERAL a contact of beams with each other.
@@ -95,8 +96,8 @@ inline constexpr int kFrictionOfTable = -2;
 /// Stiffness of a line in that of a crossing [-], where OpenRadioss takes the mean of both lines: half of it counts.
 inline constexpr double kLinesInParallel = 2;
 
-/// Share of the stable time step that explicit decks ask for [-]. The contact is not in the stable step of the elements,
-/// hence less than the usual 0.9.
+/// Share of the stable time step that explicit decks ask for [-]. The contact is not in the stable step of the
+/// elements, hence less than the usual 0.9.
 inline constexpr double kStepShare = 0.8;
 
 }  // namespace knitmech::exchange

@@ -38,8 +38,8 @@ class FixedCard {
 
 /// A line cut into fields of given widths.
 ///
-/// Reading is strict: what stands behind the last field is an error, and so is a field that holds anything but one whole
-/// number, real number or word. An empty field is 0, as both programs take it.
+/// Reading is strict: what stands behind the last field is an error, and so is a field that holds anything but one
+/// whole number, real number or word. An empty field is 0, as both programs take it.
 class FixedFields {
  public:
   /// Throws InputError "source, line n: ..." for text behind the last field.

@@ -72,10 +72,10 @@ struct LsDynaDeck {
   };
 
   struct Contact {
-    int group = 0;       ///< SSID
-    int group_kind = 0;  ///< SSTYP: 2 a part set
-    double friction = 0;      ///< FS; -2: that of a table
-    int friction_table = 0;   ///< FD, if FS is -2
+    int group = 0;               ///< SSID
+    int group_kind = 0;          ///< SSTYP: 2 a part set
+    double friction = 0;         ///< FS; -2: that of a table
+    int friction_table = 0;      ///< FD, if FS is -2
     double stiffness_scale = 0;  ///< SFS
     double thickness = 0;        ///< SST, MST
     int soft = 0;

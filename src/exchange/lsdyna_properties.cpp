@@ -60,8 +60,9 @@ void write_parts(std::ostream& out, const model::Model& model, const std::vector
 /// *CONTACT_AUTOMATIC_GENERAL (LS-DYNA Keyword User's Manual I, "*CONTACT").
 ///
 /// SOFT -11 is a word to OpenRadioss: contact of beams by /INTER/TYPE11, with the gap (SST + MST) / 2 and, of two lines
-/// of the section A and the modulus E, the stiffness SFS sqrt(A) E, half of which counts (dyna2rad, convertcontacts.cxx;
-/// starter, i11sti3.F; engine, i11for3.F). SFS = 2 K / (sqrt(A) E) is the stiffness K of a crossing.
+/// of the section A and the modulus E, the stiffness SFS sqrt(A) E, half of which counts (dyna2rad,
+/// convertcontacts.cxx; starter, i11sti3.F; engine, i11for3.F). SFS = 2 K / (sqrt(A) E) is the stiffness K of a
+/// crossing.
 void write_contact(std::ostream& out, const model::Model& model, const std::vector<int>& parts) {
   write_friction(out, model.friction, used_pair_friction(model, parts));
   const BeamSection section = beam_section(model.sections[static_cast<std::size_t>(parts.front()) - 1], 1);
@@ -85,8 +86,7 @@ void write_contact(std::ostream& out, const model::Model& model, const std::vect
 /// *CONSTRAINED_LINEAR_GLOBAL (LS-DYNA Keyword User's Manual I, "*CONSTRAINED_LINEAR").
 void write_ties(std::ostream& out, const model::Model& model) {
   if (model.ties.empty()) return;
-  out << "$ Ties: yarns that keep their relative position where they cross at the side edges. OpenRadioss does not\n"
-         "$ read them here; take its native deck for a tied fabric.\n";
+  out << "$ Ties: yarns that keep their relative position where they cross at the side edges.\n";
   int number = 0;
   for (const TieEquation& equation : tie_equations(model)) {
     for (int direction = 1; direction <= 3; ++direction) {
@@ -104,7 +104,8 @@ void write_ties(std::ostream& out, const model::Model& model) {
 /// these names): velocity (VAD 0) along y (DOF 2).
 void write_grips(std::ostream& out, const model::TensileTest& test) {
   const auto hold = [&](int set, bool x, bool y, bool z) {
-    keyword(out, "*BOUNDARY_SPC_SET", "$     NSID       CID      DOFX      DOFY      DOFZ     DOFRX     DOFRY     DOFRZ");
+    keyword(out, "*BOUNDARY_SPC_SET",
+            "$     NSID       CID      DOFX      DOFY      DOFZ     DOFRX     DOFRY     DOFRZ");
     FixedCard fields;
     fields.whole(set).whole(0);
     for (const bool held : {x, y, z, true, true, true}) fields.whole(held ? 1 : 0);

@@ -69,7 +69,7 @@ void read_part(const CardBlock& block, LsDynaDeck& deck) {
 void read_section(const CardBlock& block, LsDynaDeck& deck) {
   block.expect_lines(2);
   const FixedFields kind = block.fields(0, kTens), values = block.fields(1, kTens);
-  new_entry(deck.sections, kind.whole(0), block) = {kind.whole(1),   values.real(0), values.real(1), values.real(2),
+  new_entry(deck.sections, kind.whole(0), block) = {kind.whole(1),  values.real(0), values.real(1), values.real(2),
                                                     values.real(3), values.real(4), block.line()};
 }
 
@@ -129,8 +129,7 @@ void read_curve(const CardBlock& block, LsDynaDeck& deck) {
 void read_motion(const CardBlock& block, LsDynaDeck& deck) {
   block.expect_lines(1);
   const FixedFields card = block.fields(0, kTens);
-  deck.motions.push_back(
-      {card.whole(0), card.whole(1), card.whole(2), card.whole(3), card.real(4), block.line()});
+  deck.motions.push_back({card.whole(0), card.whole(1), card.whole(2), card.whole(3), card.real(4), block.line()});
 }
 
 void read_friction(const CardBlock& block, LsDynaDeck& deck) {

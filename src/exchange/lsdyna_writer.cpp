@@ -21,9 +21,22 @@ using dyna::card;
 using dyna::keyword;
 using dyna::real;
 
+/// What OpenRadioss, as its reader stands, does not make of this deck, but of its native one.
+std::vector<std::string> openradioss_remarks(const model::Model& model, const std::vector<int>& parts) {
+  std::vector<std::string> remarks;
+  const auto add = [&](std::string_view what) {
+    remarks.push_back(fmt::format("OpenRadioss {}; its native deck has that.", what));
+  };
+  if (!model.ties.empty()) add("does not read the ties of this deck");
+  if (!used_pair_friction(model, parts).empty()) add("does not take the friction of pairs of yarns from this deck");
+  if (!have_one_diameter(model, parts)) add("takes all yarns of this deck for as thick as that of section 1");
+  return remarks;
+}
+
 /// *TITLE, *CONTROL_UNITS (LS-DYNA Keyword User's Manual I, the pages of these names). OpenRadioss takes its units from
 /// the latter.
-void write_head(std::ostream& out, const model::Model& model, const LsDynaOptions& options) {
+void write_head(std::ostream& out, const model::Model& model, const std::vector<int>& parts,
+                const LsDynaOptions& options) {
   out << "*KEYWORD\n";
   out << "$ A knitted fabric, yarn by yarn, in a tensile test; written by KnitMech.\n";
   out << "$ Units: mass t, length mm, time s; hence force N, stress MPa, energy mJ, density t/mm^3.\n";
@@ -33,6 +46,7 @@ void write_head(std::ostream& out, const model::Model& model, const LsDynaOption
                      model.n_elements(), options.mass_scaling);
   out << fmt::format("$ Strain = displacement of {} / {:.12g} mm.\n", model.test.driven_set, model.test.gauge_length);
   out << "$ Two lines of *CONTACT_AUTOMATIC_GENERAL are for OpenRadioss; for LS-DYNA change them as it says there.\n";
+  for (const std::string& remark : openradioss_remarks(model, parts)) out << "$ " << remark << '\n';
   for (const std::string& remark : strength_remarks(model)) out << "$ " << remark << '\n';
   out << "*TITLE\n" << ("KnitMech: " + abaqus_text(model.title)).substr(0, kDynaTitle) << '\n';
   keyword(out, "*CONTROL_UNITS", "$   LENGTH      TIME      MASS");
@@ -57,8 +71,8 @@ void write_control(std::ostream& out, const model::Model& model, const LsDynaOpt
   card(out, real(step.whole(0), kStepShare));
   keyword(out, "*CONTROL_ENERGY", "$     HGEN      RWEN    SLNTEN     RYLEN");
   card(out, FixedCard().whole(1).whole(1).whole(2).whole(1));
-  for (const char* name : {"*DATABASE_GLSTAT", "*DATABASE_MATSUM", "*DATABASE_BNDOUT", "*DATABASE_SPCFORC",
-                           "*DATABASE_NODOUT"}) {
+  for (const char* name :
+       {"*DATABASE_GLSTAT", "*DATABASE_MATSUM", "*DATABASE_BNDOUT", "*DATABASE_SPCFORC", "*DATABASE_NODOUT"}) {
     write_interval(out, name, duration / options.history_points);
   }
   write_interval(out, "*DATABASE_BINARY_D3PLOT", duration / options.pictures);
@@ -114,7 +128,7 @@ void write_lsdyna(std::ostream& out, const model::Model& model, const LsDynaOpti
   check_for_elastic_deck(model, "LS-DYNA");
   const BeamMesh mesh = beam_mesh(model);
   const std::vector<int> parts = used_parts(mesh);
-  write_head(out, model, options);
+  write_head(out, model, parts, options);
   write_control(out, model, options);
   dyna::write_parts(out, model, parts, options.mass_scaling);
   write_mesh(out, model, mesh);

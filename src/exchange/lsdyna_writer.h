@@ -18,8 +18,8 @@ struct LsDynaOptions {
 /// tied, *CONTACT_AUTOMATIC_GENERAL of all yarns with the friction of *DEFINE_FRICTION, grips by *BOUNDARY_SPC_SET and
 /// *BOUNDARY_PRESCRIBED_MOTION_SET. Units t, mm, s, hence N, MPa, mJ.
 ///
-/// Numbers as in write_openradioss_starter(), in the fixed columns of the standard format: values of ten characters, that
-/// is six digits or more. The same model gives the same text, byte for byte. Throws InputError for a measured yarn
+/// Numbers as in write_openradioss_starter(), in the fixed columns of the standard format: values of ten characters,
+/// that is six digits or more. The same model gives the same text, byte for byte. Throws InputError for a measured yarn
 /// curve, std::invalid_argument for a model whose grips are not among its node sets or are empty.
 ///
 /// Source: LS-DYNA Keyword User's Manual, volumes I and II; the page of each keyword is named where it is written. What

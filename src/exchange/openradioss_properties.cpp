@@ -15,14 +15,6 @@ std::string part_title(int part, const std::vector<int>& parts) {
   return parts.size() == 1 ? "yarn" : fmt::format("yarn of section {}", part);
 }
 
-bool have_one_diameter(const model::Model& model, const std::vector<int>& parts) {
-  const auto diameter = [&](int part) { return model.sections[static_cast<std::size_t>(part) - 1].diameter; };
-  for (const int part : parts) {
-    if (diameter(part) != diameter(parts.front())) return false;
-  }
-  return true;
-}
-
 /// /MAT/ELAST (Radioss Reference Guide, "/MAT/LAW1 (ELAST)").
 void write_material(std::ostream& out, int part, const std::string& title, const BeamSection& section) {
   keyword(out, fmt::format("/MAT/ELAST/{}", part), title, "#              RHO_I");
@@ -39,8 +31,7 @@ void write_property(std::ostream& out, int part, const std::string& title, const
   out << "#                 Dm                  Df\n";
   card(out, FixedCard().whole(0, 20).whole(0, 20));
   out << "#               Area                 Iyy                 Izz                 Ixx\n";
-  card(out,
-       FixedCard().real(section.area).real(section.inertia).real(section.inertia).real(section.torsion_constant));
+  card(out, FixedCard().real(section.area).real(section.inertia).real(section.inertia).real(section.torsion_constant));
   out << "#  OmegaDOF    Ishear\n";
   card(out, FixedCard().word("000 000").whole(0));
 }

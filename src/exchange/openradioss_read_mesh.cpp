@@ -11,8 +11,8 @@ namespace knitmech::exchange::radioss {
 void read_material(const CardBlock& block, OpenRadiossDeck& deck) {
   block.expect_lines(3);
   const FixedFields elastic = block.fields(2, Widths{20, 20});
-  new_entry(deck.materials, number_of(block), block) = {
-      block.fields(1, Widths{20}).real(0), elastic.real(0), elastic.real(1), block.line()};
+  new_entry(deck.materials, number_of(block), block) = {block.fields(1, Widths{20}).real(0), elastic.real(0),
+                                                        elastic.real(1), block.line()};
 }
 
 void read_property(const CardBlock& block, OpenRadiossDeck& deck) {

@@ -31,10 +31,10 @@ void check_run_name(const std::string& name) {
            letter == '_' || letter == '-' || letter == '.';
   };
   if (!name.empty() && name.size() <= kRadiossRunName && std::ranges::all_of(name, is_taken)) return;
-  throw InputError(
-      fmt::format("the files of OpenRadioss bear the name of the run, and {} is none: 1 to {} letters, digits, -, _ and "
-                  ".; give another name of the file",
-                  base::in_quotes(name), kRadiossRunName));
+  throw InputError(fmt::format(
+      "the files of OpenRadioss bear the name of the run, and {} is none: 1 to {} letters, digits, -, _ and "
+      ".; give another name of the file",
+      base::in_quotes(name), kRadiossRunName));
 }
 
 /// /BEGIN, /TITLE, /ANALY, /SPMD (Radioss Reference Guide, the pages of these names). /SPMD leaves the number of ranks
@@ -79,11 +79,8 @@ void write_elements(std::ostream& out, const BeamMesh& mesh, const std::vector<i
     for (std::size_t i = 0; i < mesh.elements.size(); ++i) {
       const BeamElement& element = mesh.elements[i];
       if (element.part != part) continue;
-      card(out, FixedCard()
-                    .whole(static_cast<int>(i) + 1)
-                    .whole(element.first)
-                    .whole(element.last)
-                    .whole(element.third));
+      card(out,
+           FixedCard().whole(static_cast<int>(i) + 1).whole(element.first).whole(element.last).whole(element.third));
     }
   }
 }

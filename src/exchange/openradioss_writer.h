@@ -16,9 +16,9 @@ struct OpenRadiossOptions {
 };
 
 /// Writes a model as a starter deck for OpenRadioss (docs/openradioss.md): /BEAM elements with /PROP/BEAM and
-/// /MAT/ELAST, one part for each section, /MPC where yarns are tied, self-contact of all yarns by /INTER/TYPE11 with the
-/// normal law and stiffness of KnitMech's own chords and friction in the incremental form, grips by /BCS and /IMPVEL,
-/// time histories. Units Mg, mm, s, hence N, MPa, mJ.
+/// /MAT/ELAST, one part for each section, /MPC where yarns are tied, self-contact of all yarns by /INTER/TYPE11 with
+/// the normal law and stiffness of KnitMech's own chords and friction in the incremental form, grips by /BCS and
+/// /IMPVEL, time histories. Units Mg, mm, s, hence N, MPa, mJ.
 ///
 /// Node i of the model has the number i + 1; elements are numbered from 1 along the yarns; part k + 1 is section k.
 /// The same model gives the same text, byte for byte. The columns are those of the format year 2018, or 2020 where
@@ -33,8 +33,8 @@ void write_openradioss_starter(std::ostream& out, const model::Model& model, con
 /// Source: Radioss Reference Guide, "Engine Input". Throws like write_openradioss_starter().
 void write_openradioss_engine(std::ostream& out, const model::Model& model, const OpenRadiossOptions& options);
 
-/// Format year of the deck: 2018; 2020, the first whose /INTER/TYPE11 has Irem_gap, if a yarn diameter is more than half
-/// the shortest element.
+/// Format year of the deck: 2018; 2020, the first whose /INTER/TYPE11 has Irem_gap, if a yarn diameter is more than
+/// half the shortest element.
 [[nodiscard]] int openradioss_year(const model::Model& model);
 
 }  // namespace knitmech::exchange

@@ -170,7 +170,17 @@ TEST_P(LsDynaStructures, IsTheSameEveryTimeAndNoLineOfDataIsLongerThanEightyColu
 TEST(LsDynaTies, KeepTheTiedPlacesOfTheElementsTogetherInEachDirection) {
   const Deck deck(structure_case(knit::Structure::tied));
   expect_constraints_of_ties(deck.model, deck.read.constraints, 4 * kTenCharacters);
-  EXPECT_THAT(lines_of(deck.text), Contains(HasSubstr("OpenRadioss does not")));
+}
+
+TEST(LsDynaHead, SaysWhatOpenRadiossDoesNotMakeOfTheDeck) {
+  EXPECT_THAT(lines_of(Deck(structure_case(knit::Structure::tied)).text),
+              Contains("$ OpenRadioss does not read the ties of this deck; its native deck has that."));
+  model::Case input = structure_case(knit::Structure::adjusted);
+  input.edge_yarn.diameter = 0.08;
+  const std::vector<std::string> lines = lines_of(Deck(input).text);
+  EXPECT_THAT(lines, Contains(HasSubstr("OpenRadioss does not take the friction of pairs of yarns")));
+  EXPECT_THAT(lines, Contains(HasSubstr("OpenRadioss takes all yarns of this deck for as thick")));
+  EXPECT_THAT(Deck(structure_case(knit::Structure::basic)).text, testing::Not(HasSubstr("its native deck")));
 }
 
 TEST(LsDynaFriction, GivenAnotherOneOfTheEdgeYarn_ThenItIsThatOfItsPairs) {
@@ -241,10 +251,11 @@ INSTANTIATE_TEST_SUITE_P(
     Deck, LsDynaDefects,
     testing::Values(
         // Columns
-        Defect{"       1       1       1       2     ", "       1       1        1      2     ", "\"1      2\" is not a whole number"},
+        Defect{"       1       1       1       2     ", "       1       1        1      2     ",
+               "\"1      2\" is not a whole number"},
         Defect{"         1   1.14e-5      1700", "         1    1.14e-5     1700", "\"1.14e-\" is not a number"},
-        Defect{"         1         1         1         1         1\n", "         1         1         1         1         11\n",
-               "behind column 80"},
+        Defect{"         1         1         1         1         1\n",
+               "         1         1         1         1         11\n", "behind column 80"},
         // Cards that are missing or too many
         Defect{"         1         2\n$        A", "$        A", "*SECTION_BEAM has 1 lines here and needs 2"},
         Defect{"$     SOFT\n       -11\n", "", "*CONTACT_AUTOMATIC_GENERAL_ID has 4 lines here and needs 5"},
@@ -256,19 +267,20 @@ INSTANTIATE_TEST_SUITE_P(
                "the section 2 does not exist"},
         Defect{"         1         1         1\n*SECTION", "         1         1         2\n*SECTION",
                "the material 2 does not exist"},
-        Defect{"       1       1       1       2     ", "       1       1       1     999     ", "the node 999 does not"},
+        Defect{"       1       1       1       2     ", "       1       1       1     999     ",
+               "the node 999 does not"},
         Defect{"       1       1       1       2     ", "       1       1       2       2     ", "has a node twice"},
         Defect{"       2       1       2       3     ", "       1       1       2       3     ", "a second time"},
         Defect{"        10         0         2         0", "        11         0         2         0",
                "the part set 11 does not exist"},
         Defect{"        -2         1\n", "        -2         3\n", "the friction 3 does not exist"},
-        Defect{"         2         2         0         1         5", "         2         2         0         4         5",
-               "the curve 4 does not exist"},
+        Defect{"         2         2         0         1         5",
+               "         2         2         0         4         5", "the curve 4 does not exist"},
         // Mechanics
-        Defect{"         2         0         1         0         1", "         2         0         1         1         1",
-               "is driven along 2 and held"},
-        Defect{"         2         2         0         1         5", "         2         2         2         1         5",
-               "a grip moves with a velocity"},
+        Defect{"         2         0         1         0         1",
+               "         2         0         1         1         1", "is driven along 2 and held"},
+        Defect{"         2         2         0         1         5",
+               "         2         2         2         1         5", "a grip moves with a velocity"},
         Defect{"         1         2\n$        A", "         1         1\n$        A", "ELFORM 1 has other cards"}));
 
 TEST(LsDynaReader, ListsKeywordsThatItDoesNotKnow) {

@@ -58,7 +58,8 @@ INSTANTIATE_TEST_SUITE_P(
     Starter, OpenRadiossDefects,
     testing::Values(
         // Columns
-        Defect{"                1700                0.39", "               1700                 0.39 1", "behind column 40"},
+        Defect{"                1700                0.39", "               1700                 0.39 1",
+               "behind column 40"},
         Defect{"                1700                0.39", "              1700 0                0.39",
                "\"1700 0\" is not a number"},
         Defect{"        10        10        11", "         10        10        11", "stands behind column 40"},
@@ -79,7 +80,8 @@ INSTANTIATE_TEST_SUITE_P(
         Defect{"/FUNCT/1", "/FUNCT/2", "the function 1 does not exist"},
         Defect{"/GRNOD/NODE/2", "/GRNOD/NODE/7", "the node group 2 does not exist"},
         Defect{"/GRNOD/NODE/2", "/GRNOD/NODE/1", "defines the number 1 a second time"},
-        Defect{"         1         1         2       ", "         1         1       999       ", "the node 999 does not"},
+        Defect{"         1         1         2       ", "         1         1       999       ",
+               "the node 999 does not"},
         Defect{"         1         1         2       ", "         1         2         2       ", "has a node twice"},
         Defect{"         2         2         3       ", "         1         2         3       ", "a second time"},
         // Mechanics
