@@ -65,13 +65,11 @@ void require_terms(const Constraint& constraint, int number, const Nodes& nodes,
   }
 }
 
-/// Whether a node is held in a direction from 0. \param held entries with `directions` and the number of a group
+/// Whether an entry of held directions, from 0, with the number of its group, holds a node.
 template <typename Held, typename Groups>
-[[nodiscard]] bool is_held(const Held& held, const Groups& groups, int node, std::size_t direction) {
-  return std::ranges::any_of(held, [&](const auto& entry) {
-    const std::vector<int>& members = groups.at(entry.group).members;
-    return entry.directions.at(direction) && std::ranges::find(members, node) != members.end();
-  });
+[[nodiscard]] bool holds(const Held& held, const Groups& groups, int node, std::size_t direction) {
+  const std::vector<int>& members = groups.at(held.group).members;
+  return held.directions.at(direction) && std::ranges::find(members, node) != members.end();
 }
 
 /// Value of a curve: linear between its points, constant before the first and after the last. \param points not empty

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string>
 
 #include "exchange/constants.h"
@@ -47,6 +48,11 @@ void check_contact(const LsDynaDeck& deck, const std::string& source) {
   }
 }
 
+bool node_is_held(const LsDynaDeck& deck, int node, std::size_t direction) {
+  return std::ranges::any_of(deck.held,
+                             [&](const LsDynaDeck::Held& held) { return holds(held, deck.groups, node, direction); });
+}
+
 void check_motion(const LsDynaDeck& deck, const LsDynaDeck::Motion& motion, const std::string& source) {
   require_known(deck.groups, motion.group, "node set", source, motion.line);
   require_known(deck.curves, motion.curve, "curve", source, motion.line);
@@ -54,7 +60,7 @@ void check_motion(const LsDynaDeck& deck, const LsDynaDeck::Motion& motion, cons
     fail_at(source, motion.line, "a grip moves with a velocity, VAD 0, along x, y or z, DOF 1 to 3");
   }
   for (const int node : deck.groups.at(motion.group).members) {
-    if (!is_held(deck.held, deck.groups, node, static_cast<std::size_t>(motion.direction) - 1)) continue;
+    if (!node_is_held(deck, node, static_cast<std::size_t>(motion.direction) - 1)) continue;
     fail_at(source, motion.line, fmt::format("the node {} is driven along {} and held", node, motion.direction));
   }
 }
@@ -66,7 +72,7 @@ void check_lsdyna(const LsDynaDeck& deck, const std::string& source) {
   check_contact(deck, source);
   for (const LsDynaDeck::Held& held : deck.held) require_known(deck.groups, held.group, "node set", source, held.line);
   for (const LsDynaDeck::Motion& motion : deck.motions) check_motion(deck, motion, source);
-  const auto held = [&](int node, std::size_t direction) { return is_held(deck.held, deck.groups, node, direction); };
+  const auto held = [&](int node, std::size_t direction) { return node_is_held(deck, node, direction); };
   for (const auto& [number, constraint] : deck.constraints) {
     require_terms(constraint, number, deck.nodes, held, source);
   }

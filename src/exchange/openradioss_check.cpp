@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include <ranges>
+#include <algorithm>
 #include <string>
 
 #include "base/text.h"
@@ -45,7 +45,8 @@ void check_contact(const OpenRadiossDeck& deck, const std::string& source) {
 }
 
 bool node_is_held(const OpenRadiossDeck& deck, int node, std::size_t direction) {
-  return is_held(std::views::values(deck.held), deck.groups, node, direction);
+  return std::ranges::any_of(deck.held,
+                             [&](const auto& entry) { return holds(entry.second, deck.groups, node, direction); });
 }
 
 void check_velocity(const OpenRadiossDeck& deck, const OpenRadiossDeck::Velocity& velocity, const std::string& source) {

@@ -10,7 +10,7 @@ namespace knitmech::exchange::radioss {
 void read_held(const CardBlock& block, OpenRadiossDeck& deck) {
   block.expect_lines(2);
   const FixedFields card = block.fields(1, Widths{10, 10, 10});
-  const std::string code = card.word(0);
+  const std::string& code = card.word(0);
   if (code.size() != 7 || code[3] != ' ' || code.find_first_not_of("01 ") != std::string::npos) {
     block.fail(fmt::format("the code of /BCS is three digits 0 or 1, a blank and three more, not {}", code));
   }
