@@ -10,7 +10,7 @@ namespace knitmech::curves {
 
 void put_point(std::string& bytes, const Eigen::Vector3d& point) {
   for (const double value : point) {
-    const float stored = static_cast<float>(value);
+    const auto stored = static_cast<float>(value);
     if (!std::isfinite(stored)) {
       throw InputError(fmt::format("a yarn has a coordinate of {:g}, which this format cannot hold", value));
     }

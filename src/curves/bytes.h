@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <bit>
 #include <cstdint>
 #include <cstring>
@@ -15,9 +16,9 @@ static_assert(std::endian::native == std::endian::little,
 /// Adds the bytes of a number to a file in memory.
 template <typename Number>
 void put(std::string& bytes, Number value) {
-  char raw[sizeof(Number)];
-  std::memcpy(raw, &value, sizeof(Number));
-  bytes.append(raw, sizeof(Number));
+  std::array<char, sizeof(Number)> raw;
+  std::memcpy(raw.data(), &value, sizeof(Number));
+  bytes.append(raw.data(), sizeof(Number));
 }
 
 /// Adds x, y and z as 32-bit numbers. Throws InputError if one is too large for them, or not finite.
