@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <ostream>
 #include <string>
 #include <string_view>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "exchange/abaqus_writer.h"
+#include "exchange/constants.h"
 
 /// The parts of an Abaqus deck, for abaqus_writer.cpp alone.
 namespace knitmech::exchange::deck {
@@ -25,6 +27,23 @@ void line(std::ostream& out, fmt::format_string<Values...> format, Values&&... v
 inline void caption(std::ostream& out, std::string_view text) {
   out << "**\n** " << text << "\n**\n";
 }
+
+/// Data lines of a set: at most 16 entries each.
+template <typename Entry>
+void write_entries(std::ostream& out, const std::vector<Entry>& entries) {
+  for (std::size_t i = 0; i < entries.size(); i += kAbaqusSetEntries) {
+    const auto last = std::min(entries.size(), i + kAbaqusSetEntries);
+    line(out, "{}",
+         fmt::join(entries.begin() + static_cast<std::ptrdiff_t>(i),
+                   entries.begin() + static_cast<std::ptrdiff_t>(last), ", "));
+  }
+}
+
+/// *HEADING with the title and the units.
+void write_heading(std::ostream& out, const model::Model& model);
+
+/// A data line of *NODE.
+void write_node(std::ostream& out, int number, const Eigen::Vector3d& point);
 
 /// An element set with elements of one section and one first axis: what one section keyword of Abaqus covers.
 struct SectionGroup {

@@ -22,8 +22,6 @@ using deck::caption;
 using deck::line;
 using deck::SectionGroup;
 
-constexpr std::size_t kHeadingWidth = 80;
-
 void comment(std::ostream& out, std::string_view text) {
   out << "** " << text << '\n';
 }
@@ -38,24 +36,6 @@ std::vector<std::string> yarn_sets(const model::Model& model) {
     names.push_back(by_course ? fmt::format("COURSE_{}", model.course[first] + 1) : fmt::format("YARN_{}", i + 1));
   }
   return names;
-}
-
-/// Data lines of a set: at most 16 entries each.
-template <typename Entry>
-void write_entries(std::ostream& out, const std::vector<Entry>& entries) {
-  for (std::size_t i = 0; i < entries.size(); i += kAbaqusSetEntries) {
-    const auto last = std::min(entries.size(), i + kAbaqusSetEntries);
-    line(out, "{}",
-         fmt::join(entries.begin() + static_cast<std::ptrdiff_t>(i),
-                   entries.begin() + static_cast<std::ptrdiff_t>(last), ", "));
-  }
-}
-
-void write_heading(std::ostream& out, const model::Model& model) {
-  out << "*HEADING\n";
-  const std::string title = "KnitMech: " + abaqus_text(model.title);
-  for (std::size_t i = 0; i < title.size(); i += kHeadingWidth) line(out, "{}", title.substr(i, kHeadingWidth));
-  out << "Units: mm, N, s, t, MPa, mJ\n";
 }
 
 void write_introduction(std::ostream& out, const model::Model& model) {
@@ -87,8 +67,7 @@ void write_nodes(std::ostream& out, const model::Model& model) {
   caption(out, "NODES");
   out << "*NODE\n";
   for (std::size_t i = 0; i < model.nodes.size(); ++i) {
-    const Eigen::Vector3d& node = model.nodes[i];
-    line(out, "{}, {}, {}, {}", i + 1, abaqus_number(node.x()), abaqus_number(node.y()), abaqus_number(node.z()));
+    deck::write_node(out, static_cast<int>(i) + 1, model.nodes[i]);
   }
 }
 
@@ -134,14 +113,14 @@ void write_element_sets(std::ostream& out, const model::Model& model, const std:
     if (members.empty()) continue;
     sections.push_back(deck::section_set(section));
     line(out, "*ELSET, ELSET={}", sections.back());
-    write_entries(out, members);
+    deck::write_entries(out, members);
   }
   line(out, "*ELSET, ELSET={}", deck::kAllElements);
-  write_entries(out, sections);
+  deck::write_entries(out, sections);
   for (const SectionGroup& group : groups) {
     if (group.set == deck::section_set(group.section)) continue;
     line(out, "*ELSET, ELSET={}", group.set);
-    write_entries(out, group.elements);
+    deck::write_entries(out, group.elements);
   }
 }
 
@@ -152,7 +131,7 @@ void write_node_sets(std::ostream& out, const model::Model& model) {
     line(out, "*NSET, NSET={}", name);
     std::vector<int> numbers(nodes);
     for (int& number : numbers) ++number;
-    write_entries(out, numbers);
+    deck::write_entries(out, numbers);
   }
 }
 
@@ -169,7 +148,7 @@ void write_abaqus(std::ostream& out, const model::Model& model, const AbaqusOpti
   require_grip(model, model.test.held_set);
   require_grip(model, model.test.driven_set);
   const std::vector<SectionGroup> groups = deck::section_groups(model);
-  write_heading(out, model);
+  deck::write_heading(out, model);
   write_introduction(out, model);
   write_nodes(out, model);
   write_elements(out, model);

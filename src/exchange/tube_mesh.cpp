@@ -16,23 +16,6 @@ namespace {
 using Eigen::Vector3d;
 using model::CurvePiece;
 
-Vector3d mirrored(const Vector3d& vector, const Vector3d& normal, double squared_length) {
-  return squared_length > 0 ? Vector3d(vector - (2 * vector.dot(normal) / squared_length) * normal) : vector;
-}
-
-/// The direction across the curve at the next sample that is turned least about the tangent: two reflections, one onto
-/// the next point, one onto its tangent (W. Wang, B. Juettler, D. Zheng, Y. Liu, "Computation of rotation minimizing
-/// frames", ACM Transactions on Graphics 27, 2008).
-Vector3d carried(const Vector3d& across, const YarnSample& from, const YarnSample& to) {
-  const Vector3d chord = to.point - from.point;
-  const double chord_squared = chord.squaredNorm();
-  const Vector3d across_there = mirrored(across, chord, chord_squared);
-  const Vector3d tangent_there = mirrored(from.tangent, chord, chord_squared);
-  const Vector3d turn = to.tangent - tangent_there;
-  const Vector3d result = mirrored(across_there, turn, turn.squaredNorm());
-  return (result - result.dot(to.tangent) * to.tangent).normalized();  // rounding does not add up
-}
-
 void add_ring(TubeMesh& mesh, const YarnSample& sample, const Vector3d& across, double radius) {
   const Vector3d other = sample.tangent.cross(across);
   for (std::uint32_t side = 0; side < mesh.sides; ++side) {
@@ -95,7 +78,7 @@ TubeMesh tube_mesh(YarnRow row, int sides) {
   const std::vector<YarnSample> samples = samples_of(row);
   Vector3d across = samples.front().tangent.unitOrthogonal();
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    if (i > 0) across = carried(across, samples[i - 1], samples[i]);
+    if (i > 0) across = carried_across(across, samples[i - 1], samples[i]);
     add_ring(mesh, samples[i], across, row.front().radius);
     if (i > 0) add_wall(mesh, static_cast<std::uint32_t>((i - 1) * mesh.sides));
   }

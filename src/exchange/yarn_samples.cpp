@@ -10,6 +10,10 @@ namespace {
 
 using model::CurvePiece;
 
+Eigen::Vector3d mirrored(const Eigen::Vector3d& vector, const Eigen::Vector3d& normal, double squared_length) {
+  return squared_length > 0 ? Eigen::Vector3d(vector - (2 * vector.dot(normal) / squared_length) * normal) : vector;
+}
+
 template <class StepsOf>
 std::vector<YarnSample> sampled(YarnRow row, const StepsOf& steps_at) {
   std::vector<YarnSample> samples;
@@ -49,6 +53,16 @@ std::vector<YarnSample> samples_of(YarnRow row) {
 
 std::vector<YarnSample> samples_of(YarnRow row, int steps) {
   return sampled(row, [steps](const CurvePiece&) { return steps; });
+}
+
+Eigen::Vector3d carried_across(const Eigen::Vector3d& across, const YarnSample& from, const YarnSample& to) {
+  const Eigen::Vector3d chord = to.point - from.point;
+  const double chord_squared = chord.squaredNorm();
+  const Eigen::Vector3d across_there = mirrored(across, chord, chord_squared);
+  const Eigen::Vector3d tangent_there = mirrored(from.tangent, chord, chord_squared);
+  const Eigen::Vector3d turn = to.tangent - tangent_there;
+  const Eigen::Vector3d result = mirrored(across_there, turn, turn.squaredNorm());
+  return (result - result.dot(to.tangent) * to.tangent).normalized();  // rounding does not add up
 }
 
 }  // namespace knitmech::exchange

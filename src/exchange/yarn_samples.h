@@ -33,4 +33,10 @@ using YarnRow = std::span<const model::CurvePiece>;
 /// The same with a given number of steps in each element.
 [[nodiscard]] std::vector<YarnSample> samples_of(YarnRow row, int steps);
 
+/// The direction across the curve at the next sample that is turned least about the tangent: two reflections, one onto
+/// the next point, one onto its tangent (W. Wang, B. Juettler, D. Zheng, Y. Liu, "Computation of rotation minimizing
+/// frames", ACM Transactions on Graphics 27, 2008). across: unit, across `from`.
+[[nodiscard]] Eigen::Vector3d carried_across(const Eigen::Vector3d& across, const YarnSample& from,
+                                             const YarnSample& to);
+
 }  // namespace knitmech::exchange

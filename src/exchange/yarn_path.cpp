@@ -1,0 +1,127 @@
+#include "exchange/yarn_path.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "model/places.h"
+#include "model/yarn_curve.h"
+
+namespace knitmech::exchange {
+namespace {
+
+using Eigen::Vector3d;
+using model::CurvePiece;
+
+/// One element of the model with the curve through it.
+struct Bend {
+  const CurvePiece& piece;
+  Vector3d middle_offset;  ///< from the middle of the cubic to that of the true centreline [mm]
+
+  [[nodiscard]] Vector3d point(double u) const {
+    const double v = 1 - u;
+    return piece.point(u) + (16 * u * u * v * v) * middle_offset;
+  }
+  [[nodiscard]] Vector3d tangent(double u) const {
+    const double v = 1 - u;
+    const Vector3d along = piece.tangent(u) * length() + (32 * u * v * (v - u)) * middle_offset;
+    return along.normalized();
+  }
+  [[nodiscard]] double length() const { return piece.start_tangent.norm(); }
+  [[nodiscard]] double turn() const {
+    const auto angle = [](const Vector3d& a, const Vector3d& b) { return std::acos(std::clamp(a.dot(b), -1.0, 1.0)); };
+    return angle(tangent(0), tangent(0.5)) + angle(tangent(0.5), tangent(1));
+  }
+};
+
+Bend bend_of(const model::Model& model, const CurvePiece& piece) {
+  const auto node = static_cast<std::size_t>(piece.node);
+  const bool straightforward = model.middles.empty();
+  return {piece, straightforward ? Vector3d(0, 0, 0) : Vector3d(model.middles[node] - piece.point(0.5))};
+}
+
+Grip grip_of_node(const model::Model& model, int node) {
+  const auto in = [&](const std::string& set) {
+    const auto found = model.node_sets.find(set);
+    return found != model.node_sets.end() && std::ranges::binary_search(found->second, node);
+  };
+  if (in(model.test.held_set)) return Grip::held;
+  return in(model.test.driven_set) ? Grip::driven : Grip::none;
+}
+
+Grip grip_of_place(const model::Model& model, int element, double share) {
+  if (share == 0) return grip_of_node(model, element);
+  const Grip behind = grip_of_node(model, element + 1);
+  return share == 1 || behind == grip_of_node(model, element) ? behind : Grip::none;
+}
+
+/// Shares at which an element must be cut: its ends, the borders of grips, ties.
+std::vector<double> needed_cuts(const model::Model& model, const Bend& bend, double shortest) {
+  const int element = bend.piece.node;
+  const Grip before = grip_of_node(model, element), behind = grip_of_node(model, element + 1);
+  std::vector<double> cuts{0, 1};
+  const auto add = [&](double share) {
+    const double nearest = std::ranges::min(cuts, {}, [&](double cut) { return std::abs(cut - share); });
+    if (std::abs(nearest - share) * bend.length() > 0.5 * shortest) cuts.push_back(share);
+  };
+  for (const model::Tie& tie : model.ties) {
+    for (const model::ElementPlace& place : {tie.first, tie.second}) {
+      if (place.element == element) add(place.share);
+    }
+  }
+  if (before != behind && 3 * shortest < bend.length()) {
+    if (before != Grip::none) add(shortest / bend.length());
+    if (behind != Grip::none) add(1 - shortest / bend.length());
+  }
+  std::ranges::sort(cuts);
+  return cuts;
+}
+
+PathPoint path_point(const model::Model& model, const Bend& bend, double share) {
+  const int element = bend.piece.node;
+  return {bend.point(share), bend.tangent(share), element, share, grip_of_place(model, element, share)};
+}
+
+/// Adds the points of an element of the model, without its last one.
+void add_element(YarnPath& path, const model::Model& model, const Bend& bend, const PathOptions& options) {
+  const double diameter = 2 * bend.piece.radius;
+  const std::vector<double> cuts = needed_cuts(model, bend, options.shortest * diameter);
+  const double parts =
+      std::max(bend.length() / (options.largest_length * diameter), bend.turn() / options.largest_turn);
+  for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
+    const double width = cuts[i + 1] - cuts[i];
+    const int n = std::max(1, static_cast<int>(std::ceil(parts * width - 1e-6)));
+    for (int k = 0; k < 2 * n; ++k) path.points.push_back(path_point(model, bend, cuts[i] + width * k / (2 * n)));
+  }
+}
+
+}  // namespace
+
+std::vector<YarnPath> yarn_paths(const model::Model& model, const PathOptions& options) {
+  std::vector<YarnPath> paths;
+  const std::vector<CurvePiece> pieces = model::yarn_curves(model);
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const CurvePiece& piece = pieces[i];
+    if (!piece.continues_piece_before) paths.push_back({piece.yarn, {}});
+    const Bend bend = bend_of(model, piece);
+    add_element(paths.back(), model, bend, options);
+    const bool last = i + 1 == pieces.size() || !pieces[i + 1].continues_piece_before;
+    if (last) paths.back().points.push_back(path_point(model, bend, 1));
+  }
+  return paths;
+}
+
+std::size_t end_at(const YarnPath& path, const model::ElementPlace& place) {
+  const double wanted = place.element + place.share;
+  std::size_t nearest = 0;
+  const auto distance = [&](std::size_t i) { return std::abs(path.points[i].element + path.points[i].share - wanted); };
+  for (std::size_t i = 2; i < path.points.size(); i += 2) {
+    if (distance(i) < distance(nearest)) nearest = i;
+  }
+  return nearest;
+}
+
+const YarnPath& path_of(const std::vector<YarnPath>& paths, const model::Model& model, int element) {
+  return paths[static_cast<std::size_t>(model::yarn_of_node(model, static_cast<std::size_t>(element)))];
+}
+
+}  // namespace knitmech::exchange

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "model/model.h"
+
+namespace knitmech::exchange {
+
+/// Which grip of the test a point belongs to.
+enum class Grip { none, held, driven };
+
+/// A point of a yarn's centreline: an end or the middle of a quadratic element.
+struct PathPoint {
+  Eigen::Vector3d point;    ///< [mm]
+  Eigen::Vector3d tangent;  ///< unit
+  int element = 0;          ///< of the model, by its first node
+  double share = 0;         ///< of the way along that element, in [0, 1]; 1 only at the end of the yarn
+  Grip grip = Grip::none;
+};
+
+/// The centreline of a yarn, cut into quadratic elements that follow each other: element k has the points 2 k,
+/// 2 k + 1 (its middle) and 2 k + 2.
+struct YarnPath {
+  int yarn = 0;                   ///< index into model::Model::yarns
+  std::vector<PathPoint> points;  ///< 2 n + 1 of n elements
+
+  [[nodiscard]] std::size_t n_elements() const { return points.size() / 2; }
+};
+
+/// How fine a path is.
+struct PathOptions {
+  double largest_length = 0;  ///< of an element, in yarn diameters [-]
+  double largest_turn = 0;    ///< of the centreline over an element [rad]
+  double shortest = 0;        ///< length of the element next to a grip, in yarn diameters [-]
+};
+
+/// The yarns of a model as quadratic elements: each element of the model is cut into the fewest equal parts that are
+/// within the options. Ends are also laid where a tie is. Next to a grip lies one short element: a section that is
+/// held cannot contract across the yarn, which stiffens the whole of the quadratic element it belongs to.
+///
+/// Points lie on the cubic curve through the nodes with their tangents, bent so that it meets Model::middles where the
+/// model has them: with u the parameter, 16 u^2 (1 - u)^2 times the distance of the middle is added.
+[[nodiscard]] std::vector<YarnPath> yarn_paths(const model::Model& model, const PathOptions& options);
+
+/// Index of the end point of an element of the path that is nearest to a place of the model.
+[[nodiscard]] std::size_t end_at(const YarnPath& path, const model::ElementPlace& place);
+
+/// The path of the yarn on which an element of the model lies.
+[[nodiscard]] const YarnPath& path_of(const std::vector<YarnPath>& paths, const model::Model& model, int element);
+
+}  // namespace knitmech::exchange
