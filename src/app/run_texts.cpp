@@ -142,8 +142,9 @@ std::vector<Line> lines_on_file(const run::LoadedCase& loaded, const model::Fabr
                             file.n_top)}};
   constexpr double kSameDiameter = 1e-3;
   if (file.diameter_in_file > 0 && std::abs(file.diameter_in_file - diameter) > kSameDiameter * diameter) {
-    lines.push_back({"note", fmt::format("the file gives a yarn diameter of {:.4g} mm, the case {:.4g} mm, which holds",
-                                         file.diameter_in_file, diameter)});
+    lines.emplace_back("note",
+                       fmt::format("the file gives a yarn diameter of {:.4g} mm, the case {:.4g} mm, which holds",
+                                   file.diameter_in_file, diameter));
   }
   return lines;
 }

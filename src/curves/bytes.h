@@ -16,7 +16,7 @@ static_assert(std::endian::native == std::endian::little,
 /// Adds the bytes of a number to a file in memory.
 template <typename Number>
 void put(std::string& bytes, Number value) {
-  std::array<char, sizeof(Number)> raw;
+  std::array<char, sizeof(Number)> raw{};
   std::memcpy(raw.data(), &value, sizeof(Number));
   bytes.append(raw.data(), sizeof(Number));
 }

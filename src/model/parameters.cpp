@@ -103,9 +103,7 @@ Value value_in(const Case& input, const Parameter& parameter) {
           return std::string(parameter.choices.at(static_cast<std::size_t>(*member)));
         } else if constexpr (kIsOptional<Member>) {
           return *member ? Value(**member) : Value();
-        } else if constexpr (std::is_same_v<Member, std::vector<double>>) {
-          return parameter.need == Need::optional && member->empty() ? Value() : Value(*member);
-        } else if constexpr (std::is_same_v<Member, std::string>) {
+        } else if constexpr (std::is_same_v<Member, std::vector<double>> || std::is_same_v<Member, std::string>) {
           return parameter.need == Need::optional && member->empty() ? Value() : Value(*member);
         } else {
           return *member;

@@ -32,6 +32,7 @@ constexpr std::array<std::pair<std::string_view, View>, 5> kViews{{{"front", Vie
 template <typename Words>
 std::vector<std::string_view> names_of(const Words& words) {
   std::vector<std::string_view> names;
+  names.reserve(words.size());
   for (const auto& [name, value] : words) names.push_back(name);
   return names;
 }
