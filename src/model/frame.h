@@ -5,7 +5,8 @@
 
 namespace knitmech::model {
 
-/// One row of the history: everything that is a single number at one instant.
+/// One row of the history: everything that is a single number at one instant. The forces of the grips are freed of fast
+/// vibration (solve::ForceWindow).
 struct HistoryRow {
   double time = 0;                  ///< [s]
   double displacement = 0;          ///< [mm], of the driven grip

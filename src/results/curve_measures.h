@@ -24,8 +24,6 @@ struct CurveMeasure {
 
 /// The measures at a strain: linear between the rows, the tangent that of the least-squares line through the rows
 /// within kWindow / 2 to either side and at least the neighbours. Empty if the history does not reach the strain.
-///
-/// A row's force is a mean since the row before, so that it stands half a row late.
 [[nodiscard]] std::optional<CurveMeasure> measure_at(const std::vector<model::HistoryRow>& history, double strain);
 
 /// The measures at every row: the Poisson contraction, the stiffness per width and so on as curves.

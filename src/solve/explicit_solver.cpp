@@ -100,9 +100,7 @@ void ExplicitSolver::step() {
   ties_.apply(contact_.centreline(), inertia_, step_, settings_.mass_damping, state_, loads_);
   grips_.apply(inertia_, masses_, step_, settings_.mass_damping, state_, speed, loads_, team_);
   const double h = step_.mean();
-  impulse_top_ += h * grips_.force_top();
-  impulse_bottom_ += h * grips_.force_bottom();
-  impulse_time_ += h;
+  grip_forces_.add(displacement(), {grips_.force_top(), grips_.force_bottom()}, h);
   pull_.add_forces(grips_.force_top(), grips_.force_bottom(), h);
   mass_damping_loss_ += mass_damping_loss(inertia_, loads_, step_, settings_.mass_damping, state_, team_);
   integrate(inertia_, loads_, step_, settings_.mass_damping, state_, team_);

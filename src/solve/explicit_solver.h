@@ -16,6 +16,7 @@
 #include "model/model.h"
 #include "model/run_outcome.h"
 #include "solve/broken_yarns.h"
+#include "solve/force_window.h"
 #include "solve/grips.h"
 #include "solve/integrate.h"
 #include "solve/pull.h"
@@ -70,7 +71,8 @@ class ExplicitSolver {
   [[nodiscard]] double largest_tie_stretch() const { return ties_.largest_stretch(); }
   [[nodiscard]] const model::State& state() const { return state_; }
 
-  /// Energies and forces at the present time; see HistoryRow. Forces of the grips are means since the call before.
+  /// Energies and forces at the present time; see HistoryRow. Forces of the grips are freed of vibration since the call
+  /// before (ForceWindow).
   [[nodiscard]] model::HistoryRow history();
   [[nodiscard]] model::Frame frame(int index, const model::HistoryRow& row) const;
 
@@ -83,7 +85,7 @@ class ExplicitSolver {
     if constexpr (Archive::is_loading::value) make_parts_of_pieces();
     archive(work_, folds_, contact_, ties_, grips_, pull_, state_, loads_, step_, kick_, step_in_use_, calm_looks_,
             breaks_, broken_, earlier_, untold_, n_gathered_, break_loss_, mass_damping_loss_, largest_penetration_,
-            impulse_top_, impulse_bottom_, impulse_time_, forces_are_current_, is_finite_, steps_);
+            grip_forces_, forces_are_current_, is_finite_, steps_);
     if constexpr (Archive::is_loading::value) nonlinear_.set_secants(state_, elements_);
   }
 
@@ -146,7 +148,7 @@ class ExplicitSolver {
   double break_loss_ = 0;                 ///< [mJ]
   double mass_damping_loss_ = 0;
   double largest_penetration_ = 0;
-  double impulse_top_ = 0, impulse_bottom_ = 0, impulse_time_ = 0;  ///< [N s], [s], since the last history row
+  ForceWindow grip_forces_;  ///< since the last row of the history
   bool forces_are_current_ = false;
   bool is_finite_ = true;
   long steps_ = 0;

@@ -11,7 +11,8 @@ namespace knitmech::solve {
 namespace {
 
 PaceScale scale_of(const model::Model& model, double mass) {
-  return {model.test.speed, model.test.gauge_length, model.test.strain, mass, model::bending_measure(model)};
+  const double speed = model.test.speed * std::min(1.0, model.test.strain / kShortTest);
+  return {speed, model.test.gauge_length, model.test.strain, mass, model::bending_measure(model)};
 }
 
 }  // namespace

@@ -74,11 +74,12 @@ model::HistoryRow ExplicitSolver::history() {
   row.time = state_.time;
   row.displacement = displacement();
   row.strain = strain();
-  if (impulse_time_ > 0) {
-    row.force_top = impulse_top_ / impulse_time_;
-    row.force_bottom = impulse_bottom_ / impulse_time_;
+  if (!grip_forces_.empty()) {
+    const ForceWindow::Forces forces = grip_forces_.at(row.displacement);
+    row.force_top = forces.top;
+    row.force_bottom = forces.bottom;
   }
-  impulse_top_ = impulse_bottom_ = impulse_time_ = 0;
+  grip_forces_ = {};
   row.external_work = grips_.work() + pull_.work();
   row.internal_energy = internal_energy();
   row.stretch_energy = stretch_energy();
