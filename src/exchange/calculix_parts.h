@@ -44,7 +44,7 @@ struct EquationTerm {
 void write_calculix_equations(std::ostream& out, std::vector<EquationTerm> terms, const GripNodes& grips,
                               std::set<int>& eliminated);
 
-/// The static step. \param rotations the nodes have rotations, which the grips hold
-void write_static_step(std::ostream& out, const model::TensileTest& test, bool rotations, bool contact);
+/// The static step. \param driven data lines of *BOUNDARY at the end of the step, each with its end of line
+void write_static_step(std::ostream& out, const std::string& driven, bool contact);
 
 }  // namespace knitmech::exchange::deck

@@ -109,9 +109,8 @@ inline constexpr double kCoreShare = 0.59;
 /// of them bends as stiff as theory says within 0.5 %, in three within 1 %.
 inline constexpr double kSolidLargestLength = 2.5, kSolidLargestTurn = 0.3;
 
-/// Length of the element next to a grip, in yarn diameters [-]. The section in the grip cannot contract across the
-/// yarn, which stiffens this element by about 1 / (1 - nu^2). Longer: the fabric is too stiff at the grips.
-inline constexpr double kShortestAtGrip = 0.05;
+/// Shortest element that a tie cuts off, in yarn diameters [-].
+inline constexpr double kSolidShortest = 0.05;
 
 /// Stiffness of CalculiX' contact in pressure per penetration [MPa/mm], in units of the model's contact stiffness k
 /// over the square of the diameter [-]. Two crossing cylinders that overlap by d share a volume of pi D d^2 / 4, so
@@ -123,10 +122,9 @@ inline constexpr double kPressureStiffnessShare = 100;
 /// that the friction comes from. More: more iterations.
 inline constexpr double kStickShare = 0.1;
 
-/// Increments of CalculiX' static step: largest and least, as shares of the test [-], most of them, and how many lie
-/// between two states in the .frd file.
+/// Increments of CalculiX' static step: largest and least, as shares of the test [-], and most of them.
 inline constexpr double kCalculixIncrement = 0.1, kCalculixLeastIncrement = 1e-6;
-inline constexpr int kCalculixIncrements = 100000, kCalculixPictures = 5;
+inline constexpr int kCalculixIncrements = 100000;
 
 /// Terms of *EQUATION on a line, and nodes on the first line of a 20-node element (a line has at most 16 entries).
 inline constexpr std::size_t kCalculixEquationTerms = 4;

@@ -54,23 +54,17 @@ Grip grip_of_place(const model::Model& model, int element, double share) {
   return share == 1 || behind == grip_of_node(model, element) ? behind : Grip::none;
 }
 
-/// Shares at which an element must be cut: its ends, the borders of grips, ties.
+/// Shares at which an element must be cut: its ends and ties.
 std::vector<double> needed_cuts(const model::Model& model, const Bend& bend, double shortest) {
-  const int element = bend.piece.node;
-  const Grip before = grip_of_node(model, element), behind = grip_of_node(model, element + 1);
   std::vector<double> cuts{0, 1};
   const auto add = [&](double share) {
     const double nearest = std::ranges::min(cuts, {}, [&](double cut) { return std::abs(cut - share); });
-    if (std::abs(nearest - share) * bend.length() > 0.5 * shortest) cuts.push_back(share);
+    if (std::abs(nearest - share) * bend.length() > shortest) cuts.push_back(share);
   };
   for (const model::Tie& tie : model.ties) {
     for (const model::ElementPlace& place : {tie.first, tie.second}) {
-      if (place.element == element) add(place.share);
+      if (place.element == bend.piece.node) add(place.share);
     }
-  }
-  if (before != behind && 3 * shortest < bend.length()) {
-    if (before != Grip::none) add(shortest / bend.length());
-    if (behind != Grip::none) add(1 - shortest / bend.length());
   }
   std::ranges::sort(cuts);
   return cuts;
@@ -110,18 +104,36 @@ std::vector<YarnPath> yarn_paths(const model::Model& model, const PathOptions& o
   return paths;
 }
 
-std::size_t end_at(const YarnPath& path, const model::ElementPlace& place) {
-  const double wanted = place.element + place.share;
-  std::size_t nearest = 0;
-  const auto distance = [&](std::size_t i) { return std::abs(path.points[i].element + path.points[i].share - wanted); };
-  for (std::size_t i = 2; i < path.points.size(); i += 2) {
-    if (distance(i) < distance(nearest)) nearest = i;
+std::vector<YarnPath> cut_at_grips(const YarnPath& path) {
+  const auto held = [&](std::size_t element) {
+    const Grip grip = path.points[2 * element].grip;
+    return grip != Grip::none && path.points[2 * element + 1].grip == grip && path.points[2 * element + 2].grip == grip;
+  };
+  std::vector<YarnPath> pieces;
+  for (std::size_t element = 0; element < path.n_elements(); ++element) {
+    const auto first = path.points.begin() + static_cast<std::ptrdiff_t>(2 * element);
+    const bool border =
+        element == 0 || held(element) != held(element - 1) || (first->grip != Grip::none && !held(element));
+    if (border) pieces.push_back({path.yarn, {*first}});
+    pieces.back().points.insert(pieces.back().points.end(), first + 1, first + 3);
   }
-  return nearest;
+  return pieces;
 }
 
-const YarnPath& path_of(const std::vector<YarnPath>& paths, const model::Model& model, int element) {
-  return paths[static_cast<std::size_t>(model::yarn_of_node(model, static_cast<std::size_t>(element)))];
+bool lies_in_grip(const YarnPath& piece) {
+  return std::ranges::all_of(piece.points, [](const PathPoint& point) { return point.grip != Grip::none; });
+}
+
+double distance_of_end(const YarnPath& path, std::size_t end, const model::ElementPlace& place) {
+  return std::abs(path.points[end].element + path.points[end].share - place.element - place.share);
+}
+
+std::size_t end_at(const YarnPath& path, const model::ElementPlace& place) {
+  std::size_t nearest = 0;
+  for (std::size_t i = 2; i < path.points.size(); i += 2) {
+    if (distance_of_end(path, i, place) < distance_of_end(path, nearest, place)) nearest = i;
+  }
+  return nearest;
 }
 
 }  // namespace knitmech::exchange

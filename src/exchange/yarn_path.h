@@ -32,21 +32,27 @@ struct YarnPath {
 struct PathOptions {
   double largest_length = 0;  ///< of an element, in yarn diameters [-]
   double largest_turn = 0;    ///< of the centreline over an element [rad]
-  double shortest = 0;        ///< length of the element next to a grip, in yarn diameters [-]
+  double shortest = 0;        ///< element that a tie may cut off, in yarn diameters [-]; a nearer end serves the tie
 };
 
 /// The yarns of a model as quadratic elements: each element of the model is cut into the fewest equal parts that are
-/// within the options. Ends are also laid where a tie is. Next to a grip lies one short element: a section that is
-/// held cannot contract across the yarn, which stiffens the whole of the quadratic element it belongs to.
+/// within the options. Ends are also laid where a tie is.
 ///
 /// Points lie on the cubic curve through the nodes with their tangents, bent so that it meets Model::middles where the
 /// model has them: with u the parameter, 16 u^2 (1 - u)^2 times the distance of the middle is added.
 [[nodiscard]] std::vector<YarnPath> yarn_paths(const model::Model& model, const PathOptions& options);
 
+/// A path cut where grips begin and end: pieces that lie wholly in one grip and pieces that are free but for their
+/// ends.
+[[nodiscard]] std::vector<YarnPath> cut_at_grips(const YarnPath& path);
+
+/// Whether all points of a piece from cut_at_grips() are held.
+[[nodiscard]] bool lies_in_grip(const YarnPath& piece);
+
 /// Index of the end point of an element of the path that is nearest to a place of the model.
 [[nodiscard]] std::size_t end_at(const YarnPath& path, const model::ElementPlace& place);
 
-/// The path of the yarn on which an element of the model lies.
-[[nodiscard]] const YarnPath& path_of(const std::vector<YarnPath>& paths, const model::Model& model, int element);
+/// How far the end point is from the place, in elements of the model.
+[[nodiscard]] double distance_of_end(const YarnPath& path, std::size_t end, const model::ElementPlace& place);
 
 }  // namespace knitmech::exchange
