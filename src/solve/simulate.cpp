@@ -113,8 +113,8 @@ class Run {
     base::hand_back_freed_memory();
     for (; progress_.next_report < events_.size(); ++progress_.next_report) {
       const Event& event = events_[progress_.next_report];
-      const bool is_passed = solver_.strain() >= event.strain;  // by the step to an event before
-      if (is_passed) {
+      const bool is_told = progress_.latest.strain >= event.strain;  // with the step to an event before
+      if (is_told) {
         if (event.with_frame) report_frame();
         continue;
       }

@@ -193,6 +193,22 @@ TEST_P(CheckpointOf, ASolver_GivenThatAnotherOneGoesOnFromThere_ThenAllThatBothR
 INSTANTIATE_TEST_SUITE_P(Scenes, CheckpointOf, testing::ValuesIn(kScenes),
                          [](const auto& scene) { return std::string(scene.param.name); });
 
+TEST(Checkpoint, GivenARowForEveryStep_ThenARunGoesOnFromWhereItWasTaken) {
+  // Then a checkpoint is taken where a strain has been reached and its row has not been told.
+  const Scene& scene = kScenes[1];
+  const model::Model model = model_of(scene);
+  solve::SimulationSettings settings = settings_of(scene);
+  settings.history_points = 100000;
+  const Heard whole = run(model, settings, 0);
+  const Heard watched = run(model, settings, 400);
+  ASSERT_GE(watched.checkpoints.size(), 2U);
+  for (std::size_t k = 0; k < 2; ++k) {
+    const Heard resumed = run(model, settings, 0, watched.checkpoints[k]);
+    EXPECT_EQ(resumed.rows.size(), whole.rows.size() - watched.rows_at[k]);
+    EXPECT_EQ(resumed.rows, after(whole.rows, watched.rows_at[k]));
+  }
+}
+
 TEST(Checkpoint, GivenTheVeryStepOfABreak_ThenTheRunGoesOnTheSame) {
   // Then the forces are those of the fabric that has just been cut, and are not computed anew.
   const Scene& scene = kScenes[6];
