@@ -85,7 +85,8 @@ void write_calculix_heading(std::ostream& out, const model::Model& model, const 
   line(out, "** {} is held, {} is driven along y over the time 0 to 1.", kHeldGrip, kDrivenGrip);
   line(out, "** Strain = {} times the time (displacement over {} mm).", abaqus_number(test.strain),
        abaqus_number(test.gauge_length));
-  line(out, "** The .dat file has the sum of the forces on each grip, at every increment: fy of {} is the pull.",
+  line(out,
+       "** The .dat file has the sum of the forces on each grip, at about a hundred instants: fy of {} is the pull.",
        kDrivenGrip);
   if (!model.axial_laws.empty()) {
     line(out,
@@ -119,17 +120,20 @@ void write_calculix_equations(std::ostream& out, std::vector<EquationTerm> terms
   }
 }
 
-void write_static_step(std::ostream& out, const std::string& driven, bool contact) {
+void write_static_step(std::ostream& out, const StaticStep& step) {
   caption(out, "THE TEST");
-  line(out, "*STEP, NLGEOM, INC={}\n*STATIC", kCalculixIncrements);
-  const std::string increment = abaqus_number(kCalculixIncrement);
+  line(out, "*STEP, NLGEOM, INC={}", kCalculixIncrements);
+  out << step.controls << "*STATIC\n";
+  const std::string increment = abaqus_number(step.increment);
   line(out, "{}, 1., {}, {}", increment, abaqus_number(kCalculixLeastIncrement), increment);
-  out << "*BOUNDARY\n" << driven;
+  out << "*BOUNDARY\n" << step.driven;
+  // CalculiX has one frequency for all output of a step.
+  const int every = std::max(1, static_cast<int>(std::lround(1 / (step.increment * kCalculixStates))));
   for (const char* grip : {kDrivenGrip, kHeldGrip}) {
-    line(out, "*NODE PRINT, NSET={}, TOTALS=ONLY, GLOBAL=YES\nRF", grip);
+    line(out, "*NODE PRINT, NSET={}, TOTALS=ONLY, GLOBAL=YES, FREQUENCY={}\nRF", grip, every);
   }
-  out << "*NODE FILE\nU, RF\n*EL FILE\nS\n";
-  if (contact) out << "*CONTACT FILE\nCDIS, CSTR\n";
+  line(out, "*NODE FILE, FREQUENCY={0}\nU, RF\n*EL FILE, FREQUENCY={0}\nS", every);
+  if (step.contact) line(out, "*CONTACT FILE, FREQUENCY={}\nCDIS, CSTR", every);
   out << "*END STEP\n";
 }
 

@@ -8,7 +8,7 @@
 #include "exchange/abaqus_parts.h"
 #include "exchange/yarn_path.h"
 
-/// Parts of a deck for CalculiX, for calculix_solids.cpp alone.
+/// Parts of a deck for CalculiX, for calculix_beams.cpp and calculix_solids.cpp alone.
 namespace knitmech::exchange::deck {
 
 /// Names in the deck of the sets of all nodes that a grip holds.
@@ -44,7 +44,13 @@ struct EquationTerm {
 void write_calculix_equations(std::ostream& out, std::vector<EquationTerm> terms, const GripNodes& grips,
                               std::set<int>& eliminated);
 
-/// The static step. \param driven data lines of *BOUNDARY at the end of the step, each with its end of line
-void write_static_step(std::ostream& out, const std::string& driven, bool contact);
+/// The static step: lines as they stand in the deck, each with its end of line.
+struct StaticStep {
+  std::string driven;                     ///< data lines of *BOUNDARY at the end of the step
+  std::string controls;                   ///< keywords before *STATIC
+  double increment = kCalculixIncrement;  ///< largest, as a share of the test [-]
+  bool contact = false;
+};
+void write_static_step(std::ostream& out, const StaticStep& step);
 
 }  // namespace knitmech::exchange::deck

@@ -2,10 +2,21 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "base/errors.h"
 #include "exchange/abaqus_section.h"
 
 namespace knitmech::exchange {
+
+CalculixSquare calculix_square(const yarn::Section& section) {
+  CalculixSquare square;
+  square.side = std::sqrt(12 * section.bending_stiffness / section.axial_stiffness);
+  const double area = square.side * square.side;
+  square.youngs_modulus = section.axial_stiffness / area;
+  square.shear_modulus = 6 * section.torsional_stiffness / (area * area);
+  return square;
+}
 
 CalculixMaterial calculix_material(const yarn::Section& section) {
   const AbaqusSection circle = abaqus_section(section);

@@ -249,7 +249,12 @@ void write_calculix_solids(std::ostream& out, const model::Model& model) {
   const std::vector<deck::ClampedSection> clamps = clamped_sections(solids);
   const deck::GripNodes bodies = bodies_in_grips(solids);
   deck::write_clamps(text, clamps, bodies);
-  deck::write_static_step(text, deck::driven_conditions(clamps, bodies, model.test), true);
+  const double displacement = model.test.strain * model.test.gauge_length;
+  deck::StaticStep step;
+  step.driven = deck::driven_conditions(clamps, bodies, model.test);
+  step.increment = std::min(kCalculixIncrement, kSolidIncrement * model.sections.front().diameter / displacement);
+  step.contact = true;
+  deck::write_static_step(text, step);
   out << std::move(text).str();
 }
 

@@ -112,11 +112,26 @@ inline constexpr double kSolidLargestLength = 2.5, kSolidLargestTurn = 0.3;
 /// Shortest element that a tie cuts off, in yarn diameters [-].
 inline constexpr double kSolidShortest = 0.05;
 
+/// The most that a beam element may turn [rad], and rise over its chord, in radii of gyration [-].
+inline constexpr double kBeamLargestTurn = 0.3, kBeamLargestRise = 0.1;
+
+/// Largest cosine [-] between a yarn and the first axis of its section in CalculiX, which turns the axis square to it.
+inline constexpr double kCalculixLargestAxisCosine = 0.98;
+
+/// When an increment with beams has converged: largest residual force over the mean force, largest correction over the
+/// displacement of the increment [-]. CalculiX' own are 0.005 and 0.01; the residual of held rotations stays at 0.004
+/// to 0.009 while the corrections fall to 1e-5, so that it cuts increments without end. Here the correction decides.
+inline constexpr double kBeamResidual = 0.02, kBeamCorrection = 0.001;
+
+/// Largest ratio of the bending stiffnesses of two yarns of a fabric of beams without contact [-]. With 100 a fabric of
+/// 2 x 3 stitches goes through; with 3460, the soft edge yarn of the article, its pull is 1e-9 N and nothing converges.
+inline constexpr double kCalculixBendingRatio = 100;
+
 /// Stiffness of CalculiX' contact in pressure per penetration [MPa/mm], in units of the model's contact stiffness k
 /// over the square of the diameter [-]. Two crossing cylinders that overlap by d share a volume of pi D d^2 / 4, so
-/// that this pressure gives the force k d at d = 4 D / (pi c), 1.3 % of the diameter with c = 100. More: harder, and
-/// more iterations.
-inline constexpr double kPressureStiffnessShare = 100;
+/// that a crossing bears the force k pi d^2 / (4 D): 2.5 % of the diameter at a thousandth of k D. More: harder, and
+/// more iterations; with 10, loose courses of 2 x 2 stitches take three times as long, with 100 they do not converge.
+inline constexpr double kPressureStiffnessShare = 1;
 
 /// Slope of the stick over that stiffness [-]: a tenth, so that the motion let through is small beside the penetration
 /// that the friction comes from. More: more iterations.
@@ -125,6 +140,13 @@ inline constexpr double kStickShare = 0.1;
 /// Increments of CalculiX' static step: largest and least, as shares of the test [-], and most of them.
 inline constexpr double kCalculixIncrement = 0.1, kCalculixLeastIncrement = 1e-6;
 inline constexpr int kCalculixIncrements = 100000;
+
+/// Largest motion of the grip in an increment where yarns touch, in yarn diameters [-]. With 0.05 an increment of 2 x 2
+/// loose stitches takes about 6 iterations; with 0.5 there are wrong states with a hundred times the force among them.
+inline constexpr double kSolidIncrement = 0.05;
+
+/// States of a test that CalculiX writes at most, about [-]; one has the size of the deck.
+inline constexpr int kCalculixStates = 100;
 
 /// Terms of *EQUATION on a line, and nodes on the first line of a 20-node element (a line has at most 16 entries).
 inline constexpr std::size_t kCalculixEquationTerms = 4;

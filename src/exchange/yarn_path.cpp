@@ -27,9 +27,15 @@ struct Bend {
     return along.normalized();
   }
   [[nodiscard]] double length() const { return piece.start_tangent.norm(); }
-  [[nodiscard]] double turn() const {
-    const auto angle = [](const Vector3d& a, const Vector3d& b) { return std::acos(std::clamp(a.dot(b), -1.0, 1.0)); };
-    return angle(tangent(0), tangent(0.5)) + angle(tangent(0.5), tangent(1));
+  [[nodiscard]] double turn_between(double u, double v) const {
+    return std::acos(std::clamp(tangent(u).dot(tangent(v)), -1.0, 1.0));
+  }
+  [[nodiscard]] double turn() const { return turn_between(0, 0.5) + turn_between(0.5, 1); }
+  /// The turn, were it all bent as at its sharpest eighth.
+  [[nodiscard]] double sharpest_turn() const {
+    double sharpest = 0;
+    for (int i = 0; i < 8; ++i) sharpest = std::max(sharpest, 8 * turn_between(i / 8.0, (i + 1) / 8.0));
+    return sharpest;
   }
 };
 
@@ -75,12 +81,18 @@ PathPoint path_point(const model::Model& model, const Bend& bend, double share) 
   return {bend.point(share), bend.tangent(share), element, share, grip_of_place(model, element, share)};
 }
 
+/// How many equal parts of an element are within the options.
+double parts_of(const yarn::Section& section, const Bend& bend, const PathOptions& options) {
+  const double gyration = std::sqrt(section.bending_stiffness / section.axial_stiffness);
+  const double rise = bend.length() * bend.sharpest_turn() / 8;  // of an arc; falls with the square of the parts
+  return std::max({bend.length() / (options.largest_length * section.diameter), bend.turn() / options.largest_turn,
+                   std::sqrt(rise / (options.largest_rise * gyration))});
+}
+
 /// Adds the points of an element of the model, without its last one.
 void add_element(YarnPath& path, const model::Model& model, const Bend& bend, const PathOptions& options) {
-  const double diameter = 2 * bend.piece.radius;
-  const std::vector<double> cuts = needed_cuts(model, bend, options.shortest * diameter);
-  const double parts =
-      std::max(bend.length() / (options.largest_length * diameter), bend.turn() / options.largest_turn);
+  const std::vector<double> cuts = needed_cuts(model, bend, options.shortest * 2 * bend.piece.radius);
+  const double parts = parts_of(model.section_of(static_cast<std::size_t>(bend.piece.node)), bend, options);
   for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
     const double width = cuts[i + 1] - cuts[i];
     const int n = std::max(1, static_cast<int>(std::ceil(parts * width - 1e-6)));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
 #include <vector>
 
 #include "model/model.h"
@@ -30,9 +31,11 @@ struct YarnPath {
 
 /// How fine a path is.
 struct PathOptions {
-  double largest_length = 0;  ///< of an element, in yarn diameters [-]
-  double largest_turn = 0;    ///< of the centreline over an element [rad]
-  double shortest = 0;        ///< element that a tie may cut off, in yarn diameters [-]; a nearer end serves the tie
+  static constexpr double kAny = std::numeric_limits<double>::infinity();
+  double largest_length = kAny;  ///< of an element, in yarn diameters [-]
+  double largest_turn = kAny;    ///< of the centreline over an element [rad]
+  double largest_rise = kAny;    ///< of the centreline over an element's chord, in radii of gyration sqrt(EI / EA) [-]
+  double shortest = 0;           ///< element that a tie may cut off, in yarn diameters [-]; a nearer end serves the tie
 };
 
 /// The yarns of a model as quadratic elements: each element of the model is cut into the fewest equal parts that are

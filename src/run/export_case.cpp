@@ -19,6 +19,7 @@ const std::vector<ExportFormat>& all_formats() {
   using enum ExportKind;
   static const std::vector<ExportFormat> formats{
       {"abaqus", "Abaqus/Explicit input file", deck, {".inp"}, abaqus_files},
+      {"calculix-beams", "CalculiX input file, beams without contact", deck, {".inp"}, calculix_beams_files},
       {"calculix-solids", "CalculiX input file, yarns as solids", deck, {".inp"}, calculix_solids_files},
       {"openradioss", "OpenRadioss starter and engine decks", deck, {"_0000.rad", "_0001.rad"}, openradioss_files},
       {"lsdyna", "LS-DYNA keyword deck", deck, {".k"}, lsdyna_files},

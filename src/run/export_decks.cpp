@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "exchange/abaqus_writer.h"
+#include "exchange/calculix_beams.h"
 #include "exchange/calculix_solids.h"
 #include "exchange/lsdyna_writer.h"
 #include "exchange/openradioss_writer.h"
@@ -32,6 +33,12 @@ std::vector<std::string> abaqus_files(const ExportSource& source) {
                                         .bulk_viscosity = source.input.solver.bulk_viscosity};
   std::ostringstream text;
   exchange::write_abaqus(text, source.model, options);
+  return {std::move(text).str()};
+}
+
+std::vector<std::string> calculix_beams_files(const ExportSource& source) {
+  std::ostringstream text;
+  exchange::write_calculix_beams(text, source.model);
   return {std::move(text).str()};
 }
 
