@@ -21,6 +21,8 @@ class Export(FolderTest):
     def test_every_format_of_a_run(self):
         run = self.case.run(self.folder / "run")
         for name, format in knitmech.export_formats().items():
+            if name == "calculix-beams":
+                continue  # see test_what_a_format_refuses
             with self.subTest(format=name):
                 ours, theirs = self.folder / f"ours-{name}", self.folder / f"theirs-{name}"
                 ours.mkdir()
@@ -35,6 +37,12 @@ class Export(FolderTest):
                 if not format.has_frames:
                     with self.assertRaisesRegex(knitmech.InputError, "has no frames"):
                         knitmech.export(run, name, ours / "framed", frame=run.frame(1))
+
+    def test_what_a_format_refuses(self):
+        """Beams without contact hold nothing of courses that hang in each other."""
+        with self.assertRaisesRegex(knitmech.InputError, "only contact joins the courses"):
+            knitmech.export(self.case, "calculix-beams", self.folder / "refused.inp")
+        self.assertFalse((self.folder / "refused.inp").exists())
 
     def test_what_is_not_there(self):
         with self.assertRaisesRegex(knitmech.InputError, 'there is no format "ansys"'):
