@@ -23,6 +23,11 @@ namespace {
 namespace fs = std::filesystem;
 using Files = std::vector<run::ExportedFile>;
 
+std::string size_in_words(std::size_t bytes) {
+  const double kilobytes = static_cast<double>(bytes) / 1e3;
+  return kilobytes < 999.5 ? fmt::format("{:.3g} kB", kilobytes) : fmt::format("{:.4g} MB", kilobytes / 1e3);
+}
+
 /// The name of the files without what the format adds: of the file that is asked for, or of the source.
 std::string stem_of(const ExportOptions& options, const run::ExportFormat& format) {
   if (options.file.empty()) return fs::path(options.source).stem().string();
@@ -82,8 +87,7 @@ ExitCode run_command(const ExportOptions& options) {
     written.push_back(run::export_path(options.file, format, file.ending));
     results::write_file_atomically(written.back(), file.bytes);
     if (options.json) continue;
-    fmt::print("Wrote {}: {}, {:.3g} kB\n", written.back().string(), format.label,
-               static_cast<double>(file.bytes.size()) / 1000);
+    fmt::print("Wrote {}: {}, {}\n", written.back().string(), format.label, size_in_words(file.bytes.size()));
   }
   if (options.json) fmt::print("{}\n", files_json(written));
   return kDone;

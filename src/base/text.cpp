@@ -58,6 +58,23 @@ std::string in_markup(std::string_view text) {
   return result;
 }
 
+char32_t take_letter(std::string_view& text) {
+  constexpr char32_t kReplacement = 0xFFFD;
+  const auto first = static_cast<unsigned char>(text.front());
+  text.remove_prefix(1);
+  if (first < 0x80U) return first;
+  const int more = first >= 0xF0U ? 3 : first >= 0xE0U ? 2 : first >= 0xC0U ? 1 : 0;
+  if (more == 0 || text.size() < static_cast<std::size_t>(more)) return kReplacement;
+  char32_t letter = first & (0x3FU >> static_cast<unsigned>(more));
+  for (int i = 0; i < more; ++i) {
+    const auto next = static_cast<unsigned char>(text.front());
+    if ((next & 0xC0U) != 0x80U) return kReplacement;
+    letter = (letter << 6U) | (next & 0x3FU);
+    text.remove_prefix(1);
+  }
+  return letter;
+}
+
 int edit_distance(std::string_view word_a, std::string_view word_b) {
   // One row of the usual table: row[j] = distance of the letters of a seen so far from the first j letters of b.
   std::vector<int> row(word_b.size() + 1);

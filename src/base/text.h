@@ -13,6 +13,9 @@ namespace knitmech::base {
 /// has no way to write, become spaces.
 [[nodiscard]] std::string in_markup(std::string_view text);
 
+/// Takes the first letter off a text in UTF-8, which is not empty; a byte that starts no letter becomes U+FFFD.
+[[nodiscard]] char32_t take_letter(std::string_view& text);
+
 /// Least number of letters to insert, delete or replace to get from one word to the other (Levenshtein distance).
 [[nodiscard]] int edit_distance(std::string_view word_a, std::string_view word_b);
 

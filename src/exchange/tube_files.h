@@ -7,7 +7,8 @@
 namespace knitmech::exchange {
 
 /// Yarns as tubes in the formats of other programs. x along the course, y up the wales, z towards the viewer:
-/// right-handed, y up. Each throws InputError for files beyond kMostFileBytes, before or while it makes them.
+/// right-handed, y up. Each throws InputError for files beyond kMostFileBytes, STEP for more than kMostSolidSections,
+/// before or while it makes them.
 
 /// Binary STL (3D Systems, "StereoLithography Interface Specification", 1988): 80 bytes of text, the number of
 /// triangles, and of each its normal and corners as 32-bit numbers. Lengths are in mm, which the text says and readers
@@ -23,5 +24,10 @@ namespace knitmech::exchange {
 /// a node and mesh "yarn 1", "yarn 2", ... of each yarn, one material. Indices have 16 bits where a tube has room in
 /// them. The title is the scene's name and in its extras.
 [[nodiscard]] std::string glb_bytes(const YarnTubes& tubes);
+
+/// STEP AP214 (ISO 10303-21 and -214) in mm: a part of the name of the title with a closed solid "yarn 1", "yarn 2",
+/// ... of each yarn (tube_solid()). Sections are circles, whatever `sides` says. The text has no date: the same yarns
+/// give the same bytes.
+[[nodiscard]] std::string step_text(const YarnTubes& tubes);
 
 }  // namespace knitmech::exchange

@@ -9,34 +9,10 @@
 #include FT_FREETYPE_H
 
 #include "base/errors.h"
+#include "base/text.h"
 
 namespace knitmech::picture {
 namespace {
-
-constexpr char32_t kReplacement = 0xFFFD;
-
-/// Takes the first letter off a text in UTF-8; a byte that starts no letter becomes the replacement character.
-char32_t take_letter(std::string_view& text) {
-  const auto first = static_cast<unsigned char>(text.front());
-  text.remove_prefix(1);
-  if (first < 0x80U) {
-    return first;
-  }
-  const int more = first >= 0xF0U ? 3 : first >= 0xE0U ? 2 : first >= 0xC0U ? 1 : 0;
-  if (more == 0 || text.size() < static_cast<std::size_t>(more)) {
-    return kReplacement;
-  }
-  char32_t letter = first & (0x3FU >> static_cast<unsigned>(more));
-  for (int i = 0; i < more; ++i) {
-    const auto next = static_cast<unsigned char>(text.front());
-    if ((next & 0xC0U) != 0x80U) {
-      return kReplacement;
-    }
-    letter = (letter << 6U) | (next & 0x3FU);
-    text.remove_prefix(1);
-  }
-  return letter;
-}
 
 constexpr double kFixedPoint = 64;  // FreeType counts in 1/64 px
 
@@ -72,7 +48,7 @@ Font::~Font() = default;
 double Font::length(const std::string& text) const {
   double length = 0;
   for (std::string_view rest = text; !rest.empty();) {
-    if (face_->load(take_letter(rest))) {
+    if (face_->load(base::take_letter(rest))) {
       length += static_cast<double>(face_->face->glyph->advance.x) / kFixedPoint;
     }
   }
@@ -86,7 +62,7 @@ void Font::draw(Image& image, double x, double y, const std::string& text, const
   }
   const int baseline = static_cast<int>(std::lround(y));
   for (std::string_view rest = text; !rest.empty();) {
-    if (!face_->load(take_letter(rest))) {
+    if (!face_->load(base::take_letter(rest))) {
       continue;
     }
     const FT_GlyphSlotRec_* const glyph = face_->face->glyph;

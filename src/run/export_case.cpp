@@ -27,6 +27,7 @@ const std::vector<ExportFormat>& all_formats() {
       {"gltf", "Yarns as tubes, binary glTF 2.0", geometry, {".glb"}, gltf_files},
       {"obj", "Yarns as tubes, Wavefront OBJ", geometry, {".obj"}, obj_files},
       {"stl", "Yarns as tubes, binary STL", geometry, {".stl"}, stl_files},
+      {"step", "Yarns as solids for CAD programs, STEP", geometry, {".step"}, step_files},
       {"csv", "Yarn centrelines, a table of points", geometry, {".csv"}, csv_files},
       {"bcc", "Yarn centrelines, binary curve collection", geometry, {".bcc"}, bcc_files},
       {"yarns", "Yarn centrelines of the CMU Textiles Lab", geometry, {".yarns"}, yarns_files},

@@ -70,6 +70,10 @@ std::vector<std::string> stl_files(const ExportSource& source) {
   return one_file(exchange::stl_bytes(tubes_of(source)));
 }
 
+std::vector<std::string> step_files(const ExportSource& source) {
+  return one_file(exchange::step_text(tubes_of(source)));
+}
+
 std::vector<std::string> csv_files(const ExportSource& source) {
   return one_file(curves::csv_text(lines_of(source)));
 }

@@ -17,6 +17,7 @@ namespace knitmech::run {
 /// The same as centrelines (curves/write_lines.h), a yarn as many of them as it has pieces. The formats draw a smooth
 /// curve through evenly spaced points, so every element is cut into as many pieces as the most bent one needs. A yarn
 /// whose diameter changes along it has the radius of its beginning.
+[[nodiscard]] std::vector<std::string> step_files(const ExportSource& source);
 [[nodiscard]] std::vector<std::string> csv_files(const ExportSource& source);
 [[nodiscard]] std::vector<std::string> bcc_files(const ExportSource& source);
 [[nodiscard]] std::vector<std::string> yarns_files(const ExportSource& source);

@@ -2,7 +2,7 @@
 . "$(dirname "$0")/expect.sh" "$@"
 tiny_case tiny.toml
 
-for format in vtp gltf obj stl csv bcc yarns; do
+for format in vtp gltf obj stl step csv bcc yarns; do
   knitmech export tiny.toml -f $format -o tiny.$format
   expect_code 0
   expect_empty err
@@ -14,7 +14,7 @@ for format in vtp gltf obj stl csv bcc yarns; do
   expect_same out expected
 done
 knitmech export --help
-expect_in out vtp gltf obj stl csv bcc yarns .glb
+expect_in out vtp gltf obj stl step csv bcc yarns .glb
 
 # Of a run the last frame unless another is asked for; the first is the fabric as it was knitted.
 knitmech run tiny.toml --no-pictures
@@ -37,6 +37,11 @@ knitmech export tiny.toml -f stl --sides 3 -o few.stl
 knitmech export tiny.toml -f stl --sides 24 -o many.stl
 [ "$(wc -c <many.stl)" -gt "$((6 * $(wc -c <few.stl)))" ] || failed "24 sides make no more triangles than 3"
 
+# A CAD program reads solids named after their yarns; sizes are told in units that suit them.
+knitmech export tiny.toml -f step -o tiny.step
+expect_in out "tiny.step: Yarns as solids for CAD programs, STEP" kB
+[ "$(grep -c "MANIFOLD_SOLID_BREP" tiny.step)" = "$(grep -c " PRODUCT('yarn " tiny.step)" ] || failed "a solid has no name"
+
 # refused WORDS... : knitmech export with them is wrong input, and no file is left.
 refused() {
   local complaint=$1
@@ -54,7 +59,7 @@ refused "is no folder of a run" tiny.toml -f vtp --strain 0.01
 refused "99" results/tiny -f gltf --frame 99
 refused "has no frames" results/tiny -f abaqus --frame 1
 refused "excludes" results/tiny -f gltf --frame 1 --strain 0.01
-refused "there is no format" tiny.toml -f step
+refused "there is no format" tiny.toml -f iges
 knitmech export tiny.toml -f gltf -o no/such/folder/tiny.glb
 expect_code 4
 cp tiny.toml before.toml

@@ -37,6 +37,21 @@ TEST(InQuotes, NeverCutsWithinALetter) {
   EXPECT_EQ(in_quotes(std::string(59, 'x') + "µµµ"), '"' + std::string(59, 'x') + "...\"");
 }
 
+TEST(TakeLetter, ReadsLettersOfOneToFourBytes) {
+  std::string_view text = "aµ€😀";
+  std::u32string letters;
+  while (!text.empty()) letters += take_letter(text);
+  EXPECT_TRUE(letters == U"aµ€😀");
+}
+
+TEST(TakeLetter, ReplacesWhatIsNoLetter) {
+  for (const std::string_view wrong : {"\x80", "\xC3", "\xC3z", "\xFFzzz"}) {
+    std::string_view text = wrong;
+    EXPECT_EQ(take_letter(text), U'\uFFFD');
+    EXPECT_EQ(text.size() + 1, wrong.size());
+  }
+}
+
 TEST(Alternatives, ReadAsASentence) {
   EXPECT_EQ(alternatives({"a"}), "a");
   EXPECT_EQ(alternatives({"a", "b"}), "a or b");
