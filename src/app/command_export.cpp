@@ -34,12 +34,21 @@ std::string stem_of(const ExportOptions& options, const run::ExportFormat& forma
   return run::export_stem(options.file, format);
 }
 
+/// The files, after what is to be known of them.
+Files files_of(const run::ExportSource& source, const run::ExportFormat& format) {
+  Files files = run::exported(source, format);
+  if (const std::string remark = run::export_remark(source, format); !remark.empty()) {
+    std::cerr << fmt::format("Note: {}.\n", remark);
+  }
+  return files;
+}
+
 Files files_of_case(const ExportOptions& options, const run::ExportFormat& format) {
   if (options.frame || options.strain) {
     throw InputError(fmt::format("{} is no folder of a run, so it has no frames", base::in_quotes(options.source)));
   }
   const run::LoadedCase loaded = run::load_case(options.source);
-  return run::exported({loaded.input, loaded.model, nullptr, stem_of(options, format), options.sides}, format);
+  return files_of({loaded.input, loaded.model, nullptr, stem_of(options, format), options.sides}, format);
 }
 
 /// A geometry has the shape of the frame that is asked for, or else of the last one; a deck the shape at the start.
@@ -48,8 +57,8 @@ Files files_of_run(const ExportOptions& options, const run::ExportFormat& format
   const bool wants_frame = options.frame || options.strain || format.kind == run::ExportKind::geometry;
   std::optional<model::Frame> frame;
   if (wants_frame) frame = results::read_frame(stored, chosen_frame(stored, options.frame, options.strain, std::cerr));
-  return run::exported({stored.input, stored.model, frame ? &*frame : nullptr, stem_of(options, format), options.sides},
-                       format);
+  return files_of({stored.input, stored.model, frame ? &*frame : nullptr, stem_of(options, format), options.sides},
+                  format);
 }
 
 void refuse_to_replace_the_source(const ExportOptions& options, const fs::path& file) {

@@ -70,7 +70,6 @@ serve::ServerSettings settings_of(const UiOptions& options) {
 }
 
 void wait_for_interrupt() {
-  const InterruptWatch watch;
   while (!InterruptWatch::requested()) std::this_thread::sleep_for(kLookInterval);
 }
 
@@ -79,6 +78,7 @@ void wait_for_interrupt() {
 ExitCode run_command(const UiOptions& options) {
   const serve::ServerSettings settings = settings_of(options);
   const serve::Server server(settings);
+  const InterruptWatch watch;  // before the address is told: who knows it may end the program
   fmt::print("KnitMech's page: {}\n  cases   {}\n  runs    {}\n", server.address(), settings.folder.string(),
              settings.runs_folder.string());
   fmt::print("Ctrl-C ends the program; what runs then is kept and can go on later.\n");

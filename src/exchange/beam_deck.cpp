@@ -132,8 +132,14 @@ void check_for_elastic_deck(const model::Model& model, std::string_view program)
                   program));
 }
 
-std::vector<std::string> strength_remarks(const model::Model& model) {
+std::vector<std::string> difference_remarks(const model::Model& model) {
   std::vector<std::string> remarks;
+  if (model.centreline == model::Centreline::smooth) {
+    remarks.emplace_back(
+        "Contact is between straight elements here, and between smooth yarns in KnitMech's own run; to");
+    remarks.emplace_back(
+        "compare, run KnitMech with contact.centreline = \"chords\" and a number for solver.mass_scaling.");
+  }
   for (const auto& [section, strength] : model.strengths) {
     remarks.push_back(
         fmt::format("In KnitMech the yarn of part {} breaks at {:.6g} N; here it does not.", section + 1, strength));

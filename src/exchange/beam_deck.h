@@ -77,7 +77,7 @@ struct BeamMesh {
 /// \param program its name, for the message
 void check_for_elastic_deck(const model::Model& model, std::string_view program);
 
-/// What the head of a deck says of yarns that break; empty where none does.
-[[nodiscard]] std::vector<std::string> strength_remarks(const model::Model& model);
+/// What the head of a deck says of differences to KnitMech: where the contact sees the yarns, and yarns that break.
+[[nodiscard]] std::vector<std::string> difference_remarks(const model::Model& model);
 
 }  // namespace knitmech::exchange

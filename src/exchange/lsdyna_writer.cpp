@@ -47,7 +47,7 @@ void write_head(std::ostream& out, const model::Model& model, const std::vector<
   out << fmt::format("$ Strain = displacement of {} / {:.12g} mm.\n", model.test.driven_set, model.test.gauge_length);
   out << "$ Two lines of *CONTACT_AUTOMATIC_GENERAL are for OpenRadioss; for LS-DYNA change them as it says there.\n";
   for (const std::string& remark : openradioss_remarks(model, parts)) out << "$ " << remark << '\n';
-  for (const std::string& remark : strength_remarks(model)) out << "$ " << remark << '\n';
+  for (const std::string& remark : difference_remarks(model)) out << "$ " << remark << '\n';
   out << "*TITLE\n" << ("KnitMech: " + abaqus_text(model.title)).substr(0, kDynaTitle) << '\n';
   keyword(out, "*CONTROL_UNITS", "$   LENGTH      TIME      MASS");
   out << fmt::format("{:<10}{:<10}{:<10}\n", "mm", "sec", "mtrc_ton");

@@ -48,7 +48,7 @@ void write_head(std::ostream& out, const model::Model& model, const OpenRadiossO
                      model.yarns.size(), model.yarns.size() == 1 ? "yarn" : "yarns", model.n_nodes(),
                      model.n_elements(), options.mass_scaling);
   out << fmt::format("# Strain = displacement of {} / {:.12g} mm.\n", model.test.driven_set, model.test.gauge_length);
-  for (const std::string& remark : strength_remarks(model)) out << "# " << remark << '\n';
+  for (const std::string& remark : difference_remarks(model)) out << "# " << remark << '\n';
   out << "/BEGIN\n" << options.run_name << '\n';
   card(out, FixedCard().whole(openradioss_year(model)).whole(0));
   for (int i = 0; i < 2; ++i) card(out, FixedCard().word("Mg", 20).word("mm", 20).word("s", 20));

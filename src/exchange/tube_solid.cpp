@@ -46,33 +46,36 @@ gp_Dir direction_of(const Vector3d& vector) {
   return {vector.x(), vector.y(), vector.z()};
 }
 
-/// The sections of a tube and the length of the chords up to each [mm].
 struct Sections {
   std::vector<YarnSample> samples;
-  std::vector<Vector3d> axes;  ///< across, unit
-  opencascade::handle<TColStd_HArray1OfReal> lengths;
+  std::vector<Vector3d> axes;   ///< across, unit
+  std::vector<double> lengths;  ///< of the chords up to each section [mm]
 };
 
 Sections sections_of(YarnRow row) {
-  Sections sections{samples_of(row, kSolidStepsPerElement), {}, {}};
+  Sections sections;
+  sections.samples = samples_of(row, kSolidStepsPerElement);
   const std::vector<YarnSample>& samples = sections.samples;
-  sections.lengths = new TColStd_HArray1OfReal(1, static_cast<int>(samples.size()), 0.0);
   sections.axes.push_back(samples.front().tangent.unitOrthogonal());
+  sections.lengths.push_back(0);
   for (std::size_t i = 1; i < samples.size(); ++i) {
     sections.axes.push_back(carried_across(sections.axes.back(), samples[i - 1], samples[i]));
-    const int index = static_cast<int>(i) + 1;
-    sections.lengths->SetValue(index,
-                               sections.lengths->Value(index - 1) + (samples[i].point - samples[i - 1].point).norm());
+    sections.lengths.push_back(sections.lengths.back() + (samples[i].point - samples[i - 1].point).norm());
   }
   return sections;
 }
 
-/// The cubic spline through a vector at each section.
-template <class VectorAt>
-Spline spline_through(const Sections& sections, const VectorAt& vector_at) {
-  const opencascade::handle<TColgp_HArray1OfPnt> points = new TColgp_HArray1OfPnt(1, sections.lengths->Length());
-  for (int i = 1; i <= points->Length(); ++i) points->SetValue(i, point_of(vector_at(static_cast<std::size_t>(i - 1))));
-  GeomAPI_Interpolate interpolation(points, sections.lengths, false, kSolidTolerance);
+/// The cubic spline through a point at each section, over the length.
+template <class PointAt>
+Spline spline_through(const Sections& sections, const PointAt& point_at) {
+  const int n = static_cast<int>(sections.samples.size());
+  const opencascade::handle<TColgp_HArray1OfPnt> points(new TColgp_HArray1OfPnt(1, n));
+  const opencascade::handle<TColStd_HArray1OfReal> lengths(new TColStd_HArray1OfReal(1, n));
+  for (std::size_t i = 0; i < sections.samples.size(); ++i) {
+    points->SetValue(static_cast<int>(i) + 1, point_of(point_at(i)));
+    lengths->SetValue(static_cast<int>(i) + 1, sections.lengths[i]);
+  }
+  GeomAPI_Interpolate interpolation(points, lengths, false, kSolidTolerance);
   interpolation.Perform();
   if (!interpolation.IsDone()) throw InputError("step: there is no smooth curve through the nodes of a yarn");
   return interpolation.Curve();

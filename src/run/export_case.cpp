@@ -18,11 +18,16 @@ constexpr int kFewestSides = 3, kMostSides = 256;
 const std::vector<ExportFormat>& all_formats() {
   using enum ExportKind;
   static const std::vector<ExportFormat> formats{
-      {"abaqus", "Abaqus/Explicit input file", deck, {".inp"}, abaqus_files},
+      {"abaqus", "Abaqus/Explicit input file", deck, {".inp"}, abaqus_files, true},
       {"calculix-beams", "CalculiX input file, beams without contact", deck, {".inp"}, calculix_beams_files},
       {"calculix-solids", "CalculiX input file, yarns as solids", deck, {".inp"}, calculix_solids_files},
-      {"openradioss", "OpenRadioss starter and engine decks", deck, {"_0000.rad", "_0001.rad"}, openradioss_files},
-      {"lsdyna", "LS-DYNA keyword deck", deck, {".k"}, lsdyna_files},
+      {"openradioss",
+       "OpenRadioss starter and engine decks",
+       deck,
+       {"_0000.rad", "_0001.rad"},
+       openradioss_files,
+       true},
+      {"lsdyna", "LS-DYNA keyword deck", deck, {".k"}, lsdyna_files, true},
       {"vtp", "Yarns as lines for ParaView", geometry, {".vtp"}, vtp_files},
       {"gltf", "Yarns as tubes, binary glTF 2.0", geometry, {".glb"}, gltf_files},
       {"obj", "Yarns as tubes, Wavefront OBJ", geometry, {".obj"}, obj_files},
@@ -64,6 +69,15 @@ std::filesystem::path export_path(const std::filesystem::path& file, const Expor
                                   std::string_view ending) {
   if (format.endings.size() == 1) return file;
   return file.parent_path() / (export_stem(file, format) + std::string(ending));
+}
+
+std::string export_remark(const ExportSource& source, const ExportFormat& format) {
+  if (!format.contact_on_chords || source.model.centreline == model::Centreline::chords) return "";
+  return fmt::format(
+      "the program that reads this deck lays contact on the straight elements, and KnitMech on smooth yarns; to "
+      "compare, "
+      "run the case with contact.centreline = \"chords\"{}",
+      source.input.solver.mass_scaling ? "" : " and a number for solver.mass_scaling");
 }
 
 std::vector<ExportedFile> exported(const ExportSource& source, const ExportFormat& format) {

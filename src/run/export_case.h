@@ -39,6 +39,7 @@ struct ExportFormat {
   ExportKind kind = ExportKind::deck;
   std::vector<std::string_view> endings;                             ///< of its files, one each
   std::vector<std::string> (*write)(const ExportSource&) = nullptr;  ///< the bytes of the files, in that order
+  bool contact_on_chords = false;  ///< the other program lays the contact on the straight elements
 };
 
 /// All formats, decks first.
@@ -54,6 +55,9 @@ struct ExportFormat {
 /// Where a file of an export goes: one file to just the name that is asked for, several to its stem and their endings.
 [[nodiscard]] std::filesystem::path export_path(const std::filesystem::path& file, const ExportFormat& format,
                                                 std::string_view ending);
+
+/// What to know before comparing the other program's run with KnitMech's own, in one sentence; empty if nothing.
+[[nodiscard]] std::string export_remark(const ExportSource& source, const ExportFormat& format);
 
 /// The files of a source in a format.
 /// @throws InputError for a frame in a format that has none, or sides that make no tube

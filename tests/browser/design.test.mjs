@@ -106,7 +106,7 @@ test("Given a new case, when it is saved, then it is a file, which another progr
   const dialog = page.getByRole("dialog");
   await dialog.getByRole("textbox").fill("my-jersey.toml");
   await dialog.getByRole("button", { name: "Save" }).click();
-  await dialog.waitFor({ state: "detached" });
+  await page.getByText("Saved my-jersey.toml.").waitFor();
   const file = join(it.folder, "my-jersey.toml");
   assert.match(readFileSync(file, "utf8"), /wales = 4/);
 

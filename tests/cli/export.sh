@@ -6,6 +6,18 @@ knitmech export tiny.toml -f abaqus -o tiny.inp
 expect_code 0
 expect_in tiny.inp "*NODE" "TYPE=B31" "bottom_feet" "*DYNAMIC, EXPLICIT"
 
+# Whoever compares the other program's run is told how; not if the case is as it should be.
+expect_in err "Note:" 'contact.centreline = "chords"'
+sed -e 's/^mass_scaling = .*//' tiny.toml >auto.toml
+knitmech export auto.toml -f abaqus -o auto.inp
+expect_in err 'contact.centreline = "chords" and a number for solver.mass_scaling'
+sed -e 's/^\[contact\]/&\ncentreline = "chords"/' tiny.toml >chords.toml
+for format in abaqus lsdyna; do
+  knitmech export chords.toml -f $format -o chords.out
+  expect_code 0
+  expect_empty err
+done
+
 # Without a name it goes to standard output, the same bytes.
 knitmech export tiny.toml -f abaqus
 expect_code 0

@@ -34,7 +34,7 @@ inline std::vector<model::CurvePiece> helix_pieces(double bend_radius, double cl
     return {bend_radius * std::cos(a), bend_radius * std::sin(a), climb * a};
   };
   const auto tangent = [&](double a) -> Eigen::Vector3d {
-    return Eigen::Vector3d(-bend_radius * std::sin(a), bend_radius * std::cos(a), climb);
+    return {-bend_radius * std::sin(a), bend_radius * std::cos(a), climb};
   };
   std::vector<model::CurvePiece> pieces;
   for (int i = 0; i < std::lround(turns * per_turn); ++i) {

@@ -32,7 +32,7 @@ std::vector<ExportFormat> geometry_formats() {
 
 TEST(ExportGeometry, GivenAnyFormat_ThenItMakesOneFile) {
   const model::Model model = test::straight_yarn();
-  ASSERT_EQ(geometry_formats().size(), 7U);
+  ASSERT_EQ(geometry_formats().size(), 8U);
   for (const ExportFormat& format : geometry_formats()) {
     const std::vector<ExportedFile> files = exported({kCase, model}, format);
     ASSERT_EQ(files.size(), 1U) << format.name;
