@@ -135,7 +135,8 @@ class Runs::State {
     const ActiveRunPointer before = known(id);
     const bool is_ours = before && before->has_ended();
     if (!is_ours && !head.can_go_on) throw Refusal(409, fmt::format("{} cannot go on: it is {}", id, head.status));
-    begin(id, earlier_run(folder, id), head.seconds);
+    // What is stored is time in the solver alone; the time shown goes on from that shown before.
+    begin(id, earlier_run(folder, id), is_ours ? before->head().seconds : head.seconds);
   }
 
   [[nodiscard]] std::vector<RunEvent> wait_for_changes(std::uint64_t& seen, std::chrono::milliseconds longest) {

@@ -135,5 +135,6 @@ test("Given a run under way, when the program is ended, then it keeps a checkpoi
   assert.equal(await it.ui.end(), 0);
   assert.ok(existsSync(join(it.folder, "results", "long", "checkpoint.bin")));
   await page.getByText(/No link to the program/).first().waitFor();
+  await page.close();  // it would go on asking
   it.forgive(/ERR_|Failed to load|asks for/);
 });
