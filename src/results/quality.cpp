@@ -90,8 +90,9 @@ Peak largest_over_windows(Rows rows, RatioOf&& ratio_of) {
   return peak;
 }
 
+/// A share in percent; from ten times on, as between two rests of rounding, the digits would say nothing.
 std::string percent(double share) {
-  return std::isfinite(share) ? fmt::format("{:.2g} %", 100 * share) : std::string{"any multiple"};
+  return share < 10 ? fmt::format("{:.2g} %", 100 * share) : std::string{"a multiple"};
 }
 
 std::string strain_text(double strain) {

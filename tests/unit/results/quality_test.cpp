@@ -105,6 +105,18 @@ TEST(Quality, TooMuchKineticEnergyFailsWithWhereAndAdvice) {
                                      HasSubstr("more slowly"), Not(HasSubstr("balance"))));
 }
 
+TEST(Quality, AHugeRatioIsToldWithoutDigits) {
+  // Given a fabric that flies without strain: internal energy a ten-millionth of the kinetic one.
+  std::vector<HistoryRow> history = perfect_history();
+  for (HistoryRow& row : history) {
+    row.kinetic_energy = row.internal_energy;
+    row.internal_energy *= 1e-7;
+  }
+  const Quality quality = assess_quality(history, {}, kDiameter);
+  EXPECT_FALSE(quality.quasi_static);
+  EXPECT_THAT(quality.verdict, HasSubstr("kinetic energy reaches a multiple of the internal energy"));
+}
+
 TEST(Quality, AShortSnapIsJudgedByItsMeanOverOnePercentStrain) {
   // Given one row of ten in a window with 30 % kinetic over internal energy.
   std::vector<HistoryRow> history = perfect_history();
