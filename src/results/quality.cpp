@@ -90,7 +90,7 @@ Peak largest_over_windows(Rows rows, RatioOf&& ratio_of) {
   return peak;
 }
 
-/// A share in percent; from ten times on, as between two rests of rounding, the digits would say nothing.
+/// A share in percent; from ten times on its digits would say nothing: then what it is a share of is next to nothing.
 std::string percent(double share) {
   return share < 10 ? fmt::format("{:.2g} %", 100 * share) : std::string{"a multiple"};
 }

@@ -51,8 +51,7 @@ export function smallCase(title = "Small jersey") {
     .replace(/^title = .*/m, `title = "${title}"`)
     .replace(/^wales = .*/m, "wales = 3")
     .replace(/^courses = .*/m, "courses = 3")
-    .replace(/^strain = .*/m, "strain = 0.18")
-    .replace(/^frames_at = .*/m, "frames_at = [0.06, 0.12]");
+    .replace(/^strain = .*/m, "strain = 0.18");
 }
 
 /** What a command of the program writes, called in a folder. */
