@@ -26,6 +26,20 @@ test("Given a run, when its deck is saved, then it is the one of knitmech export
   assert.deepEqual(bytes.toString(), runProgram(it.folder, "export", "results/jersey/case.toml", "-f", "abaqus"));
 });
 
+test("Given the windows of a small and a large screen, then no choice and no button stands out of its card.", async () => {
+  for (const width of [1024, 1280, 1920]) {
+    await page.setViewportSize({ width, height: 900 });
+    const outside = await page.evaluate(() =>
+      [...document.querySelectorAll(".export .card")].flatMap((card) =>
+        [...card.querySelectorAll("select, button, .button")]
+          .filter((part) => part.getBoundingClientRect().right > card.getBoundingClientRect().right - 8)
+          .map((part) => `${card.ariaLabel}: ${part.ariaLabel ?? part.textContent}`),
+      ),
+    );
+    assert.deepEqual(outside, [], `${width} pixels wide`);
+  }
+});
+
 test("Given a stored strain, when the geometry is saved, then it is the one of knitmech export.", async () => {
   const geometry = card("Geometry");
   await geometry.getByRole("combobox", { name: "Format" }).selectOption("obj");
